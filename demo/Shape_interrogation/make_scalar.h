@@ -1,0 +1,100 @@
+// Copyright (c) 2026 The Shape_interrogation authors.
+// All rights reserved.
+//
+// This file is part of Shape_interrogation, a package in the style of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+
+#ifndef INTERROGATE_MAKE_SCALAR_H
+#define INTERROGATE_MAKE_SCALAR_H
+
+// From a number of any type to the scalar of the report, and from its decisions to the report's.
+
+#include "Answers.h"
+#include "evaluate_numbers.h"
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+namespace interrogate {
+
+inline std::string exact_text(const Rational& x)
+{
+  std::ostringstream out;
+  out.imbue(std::locale::classic());
+  out << x;
+  return out.str();
+}
+
+// a+b*sqrt(c), or the rational number. Empty where c is not known to be square-free.
+inline std::string exact_text(const Quadratic& x)
+{
+  const std::string a = exact_text(x.rational_part());
+  if (x.is_rational())
+    return a;
+  const Rational b = x.root_coefficient();
+  const std::string root = exact_text(b) + "*sqrt(" + exact_text(x.root()) + ")";
+  if (CGAL::is_zero(x.rational_part()))
+    return root;
+  return a + (CGAL::is_positive(b) ? "+" : "") + root;
+}
+
+inline Scalar make_scalar(double x)
+{
+  if (!std::isfinite(x))
+    throw si::Limit_error("a value overflows in double");
+  return Scalar{x, "", {}};
+}
+
+inline Scalar make_scalar(const Interval& x)
+{
+  Scalar s;
+  s.interval = std::make_pair(x.inf(), x.sup());
+  if (std::isfinite(x.inf()) && std::isfinite(x.sup()))
+    s.approx = x.inf() / 2 + x.sup() / 2;
+  return s;
+}
+
+// Exact texts have a size that a reader can still take.
+template <class Exact>
+Scalar make_exact_scalar(const Exact& x)
+{
+  Scalar s;
+  s.approx = si::number_cast<double>(x);
+  s.exact = exact_text(x);
+  if (s.exact.empty() || s.exact.size() > 100000)
+  {
+    s.exact.clear();
+    s.interval = CGAL::to_interval(x);
+  }
+  return s;
+}
+
+inline Scalar make_scalar(const Rational& x) { return make_exact_scalar(x); }
+inline Scalar make_scalar(const Quadratic& x) { return make_exact_scalar(x); }
+
+inline Scalar make_scalar(const Real& x)
+{
+  Scalar s;
+  s.approx = si::number_cast<double>(x);
+  s.interval = CGAL::to_interval(x);
+  return s;
+}
+
+inline Sign_decision sign_of(CGAL::Sign sign) { return static_cast<int>(sign); }
+inline Sign_decision sign_of(const CGAL::Uncertain<CGAL::Sign>& sign)
+{
+  return sign.is_certain() ? sign_of(sign.make_certain()) : std::nullopt;
+}
+
+inline Decision decision_of(bool b) { return b; }
+inline Decision decision_of(const CGAL::Uncertain<bool>& b)
+{
+  return b.is_certain() ? Decision(b.make_certain()) : std::nullopt;
+}
+
+} // namespace interrogate
+
+#endif // INTERROGATE_MAKE_SCALAR_H

@@ -1,0 +1,269 @@
+// Copyright (c) 2026 The Shape_interrogation authors.
+// All rights reserved.
+//
+// This file is part of Shape_interrogation, a package in the style of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+
+// Reads a task and checks it against the surface or curve that it asks about.
+
+#include "Model_error.h"
+#include "read_model.h"
+#include "read_numbers.h"
+
+#include <algorithm>
+#include <filesystem>
+
+namespace interrogate {
+
+namespace {
+
+const std::vector<std::string> task_kinds = {"curvature", "shape_operator", "mesh"};
+const std::vector<std::string> later_task_kinds = {
+  "normalform", "foot_point", "intersection_curvature", "contact", "continuity", "audit",
+  "property", "bound", "contour", "trichotomy", "line", "umbilics"};
+
+const std::vector<std::string> number_types = {"exact", "interval", "double", "filtered"};
+
+void allow_only(const Json_place& place, std::vector<std::string> fields)
+{
+  fields.insert(fields.begin(), {"task", "id", "number_type"});
+  place.allow_only(fields);
+}
+
+template <class Shape>
+std::vector<std::string> names_of(const std::map<std::string, Shape>& shapes)
+{
+  std::vector<std::string> names;
+  for (const auto& entry : shapes)
+    names.push_back(entry.first);
+  return names;
+}
+
+// The name of a surface or curve that the model has.
+template <class Shape>
+const Shape& read_name(const Json_place& place, const std::map<std::string, Shape>& shapes,
+                       const char* what)
+{
+  const auto at = shapes.find(place.string(std::string("the name of a ") + what));
+  if (at == shapes.end())
+    place.expected(shapes.empty()
+                     ? std::string("the name of a ") + what + ", but the model has none"
+                     : std::string("the name of a ") + what + " of the model (" +
+                         listed(names_of(shapes)) + ")");
+  return at->second;
+}
+
+// What a locator must hold: the field and the number of coordinates.
+struct Place_form
+{
+  const char* field;
+  std::size_t size;
+};
+
+Place_form form_of(const Implicit_model& m) { return {"point", m.variables.size()}; }
+Place_form form_of(const Parametric_model& m) { return {"parameters", m.parameters.size()}; }
+Place_form form_of(const Patch_model&) { return {"parameters", 2}; }
+Place_form form_of(const Spline_model&) { return {"parameters", 1}; }
+Place_form form_of(const System_model& m) { return {"point", m.variables.size()}; }
+Place_form form_of(const Unsupported&) { return {"", 0}; }
+
+std::vector<Number> read_locator(const Json_place& place, const Place_form& form)
+{
+  place.allow_only({form.field});
+  const std::string what = "an array of " + std::to_string(form.size) +
+                           (form.size == 1 ? " number" : " numbers");
+  return read_numbers(place.field(form.field), form.size, what);
+}
+
+// Fields of the format that this version takes no part in.
+bool asks_for_enclosure(const Json_place& at)
+{
+  const std::optional<Json_place> enclose = at.find("enclose");
+  return enclose && enclose->boolean();
+}
+
+std::vector<Number> read_direction(const Json_place& place, std::size_t n)
+{
+  const std::string what = n == 3 ? "a vector of 3 numbers"
+                                  : "a vector of 3 or " + std::to_string(n) + " numbers";
+  const std::size_t size = place.elements(what).size();
+  if (size != 3 && size != n)
+    place.expected(what);
+  return read_numbers(place, size, what);
+}
+
+Unsupported_task no_kind(const std::string& kind)
+{
+  return Unsupported_task{"the kind \"" + kind + "\" is not available in this version"};
+}
+
+using Task_data = decltype(Task::data);
+
+Task_data read_surface_curvature(const Json_place& place, const Model& model)
+{
+  allow_only(place, {"surface", "at", "direction"});
+  const Json_place name = place.field("surface");
+  const Surface_model& surface = read_name(name, model.surfaces, "surface");
+  if (const Unsupported* unsupported = std::get_if<Unsupported>(&surface.data))
+    return no_kind(unsupported->kind);
+  const Json_place at = place.field("at");
+  if (asks_for_enclosure(at))
+    return Unsupported_task{"\"enclose\" in a locator is not available in this version"};
+  Curvature_task task;
+  task.surface = name.string("");
+  const auto form = [](const auto& m) { return form_of(m); };
+  task.at = read_locator(at, std::visit(form, surface.data));
+  const System_model* system = std::get_if<System_model>(&surface.data);
+  if (const std::optional<Json_place> direction = place.find("direction"))
+    task.direction = read_direction(*direction, system ? system->variables.size() : 3);
+  return task;
+}
+
+Task_data read_curve_curvature(const Json_place& place, const Model& model)
+{
+  allow_only(place, {"curve", "at"});
+  const Json_place name = place.field("curve");
+  const Curve_model& curve = read_name(name, model.curves, "curve");
+  if (const Unsupported* unsupported = std::get_if<Unsupported>(&curve))
+    return no_kind(unsupported->kind);
+  const Json_place at = place.field("at");
+  if (asks_for_enclosure(at))
+    return Unsupported_task{"\"enclose\" in a locator is not available in this version"};
+  Curvature_task task;
+  task.curve = name.string("");
+  const auto form = [](const auto& m) { return form_of(m); };
+  task.at = read_locator(at, std::visit(form, curve));
+  return task;
+}
+
+Task_data read_shape_operator(const Json_place& place)
+{
+  allow_only(place, {"normal", "directions", "curvatures"});
+  Shape_operator_task task;
+  task.normal = read_point<3>(place.field("normal"), "a vector of 3 numbers");
+  const std::vector<Json_place> directions =
+    place.field("directions").elements(3, "three tangent vectors");
+  for (int i = 0; i < 3; ++i)
+    task.directions[i] = read_point<3>(directions[i], "a vector of 3 numbers");
+  task.curvatures = read_point<3>(place.field("curvatures"), "three normal curvatures");
+  return task;
+}
+
+// A file in the directory of the report, of a kind that can be written.
+std::string read_file_name(const Json_place& place)
+{
+  const std::string& name = place.string("the name of a file (.ply, .off, .vtp or .obj)");
+  const std::filesystem::path path(name);
+  const std::vector<std::string> known = {".ply", ".off", ".vtp", ".obj"};
+  if (std::find(known.begin(), known.end(), path.extension().string()) == known.end())
+    place.expected("the name of a file that ends in .ply, .off, .vtp or .obj");
+  const bool leaves = std::find(path.begin(), path.end(), "..") != path.end();
+  if (path.is_absolute() || leaves || name.find('\0') != std::string::npos)
+    place.expected("a file name relative to the directory of the report, without \"..\"");
+  return name;
+}
+
+std::vector<std::string> read_mesh_surfaces(const Json_place& place)
+{
+  if (place.find("surface") && place.find("surfaces"))
+    place.fail("there are both \"surface\" and \"surfaces\": give one of them");
+  std::vector<Json_place> names;
+  if (const std::optional<Json_place> list = place.find("surfaces"))
+    names = list->elements("an array of names of surfaces");
+  else
+    names.push_back(place.field("surface"));
+  std::vector<std::string> surfaces;
+  for (const Json_place& name : names)
+    surfaces.push_back(name.string("the name of a surface"));
+  if (surfaces.empty())
+    place.field("surfaces").expected("the name of one surface or more");
+  return surfaces;
+}
+
+Task_data read_mesh(const Json_place& place, const Model& model)
+{
+  allow_only(place, {"surface", "surfaces", "curve", "file", "edge_length", "box", "start"});
+  if (place.find("curve"))
+    return Unsupported_task{"meshing of curves is not available in this version"};
+  Mesh_task task;
+  task.surfaces = read_mesh_surfaces(place);
+  const std::optional<Json_place> list = place.find("surfaces");
+  for (std::size_t i = 0; i < task.surfaces.size(); ++i)
+  {
+    const Json_place name = list ? list->elements("")[i] : place.field("surface");
+    const Surface_model& surface = read_name(name, model.surfaces, "surface");
+    if (const Unsupported* unsupported = std::get_if<Unsupported>(&surface.data))
+      return no_kind(unsupported->kind);
+    if (std::holds_alternative<System_model>(surface.data))
+      return Unsupported_task{"meshing of systems is not available in this version"};
+  }
+  task.file = read_file_name(place.field("file"));
+  task.edge_length = read_number(place.field("edge_length"));
+  if (const std::optional<Json_place> box = place.find("box"))
+  {
+    const std::vector<Json_place> ranges = box->elements(3, "[[x0,x1],[y0,y1],[z0,z1]]");
+    task.box.emplace();
+    for (int i = 0; i < 3; ++i)
+      (*task.box)[i] = read_range(ranges[i]);
+  }
+  if (const std::optional<Json_place> start = place.find("start"))
+  {
+    start->allow_only({"point"});
+    task.start = read_point<3>(start->field("point"), "an array of 3 numbers");
+  }
+  return task;
+}
+
+Task_data read_data(const Json_place& place, const std::string& kind, const Model& model)
+{
+  if (std::find(later_task_kinds.begin(), later_task_kinds.end(), kind) != later_task_kinds.end())
+    return Unsupported_task{"the task \"" + kind + "\" is not available in this version"};
+  if (kind == "curvature")
+    return place.find("curve") ? read_curve_curvature(place, model)
+                               : read_surface_curvature(place, model);
+  if (kind == "shape_operator")
+    return read_shape_operator(place);
+  if (kind == "mesh")
+    return read_mesh(place, model);
+  place.field("task").expected("the kind of a task (" + listed(task_kinds) +
+                               "; not in this version: " + listed(later_task_kinds) + ")");
+}
+
+} // namespace
+
+Task read_task(const Json_place& place, const Model& model)
+{
+  Task task;
+  task.kind = place.field("task").string("the kind of the task, a string");
+  if (const std::optional<Json_place> id = place.find("id"))
+  {
+    task.id = id->string("a text that names the task");
+    if (task.id.empty())
+      id->fail("the name of the task is empty");
+  }
+  if (const std::optional<Json_place> type = place.find("number_type"))
+  {
+    task.number_type = number_type_of(type->string("the name of a number type"));
+    if (!task.number_type)
+      type->expected("a number type (" + listed(number_types) + ")");
+  }
+  task.data = read_data(place, task.kind, model);
+  return task;
+}
+
+std::optional<Number_type> number_type_of(const std::string& name)
+{
+  const auto at = std::find(number_types.begin(), number_types.end(), name);
+  if (at == number_types.end())
+    return std::nullopt;
+  return static_cast<Number_type>(at - number_types.begin());
+}
+
+const char* name_of(Number_type type)
+{
+  return number_types[static_cast<std::size_t>(type)].c_str();
+}
+
+} // namespace interrogate

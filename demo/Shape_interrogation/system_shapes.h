@@ -1,0 +1,96 @@
+// Copyright (c) 2026 The Shape_interrogation authors.
+// All rights reserved.
+//
+// This file is part of Shape_interrogation, a package in the style of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+
+#ifndef INTERROGATE_SYSTEM_SHAPES_H
+#define INTERROGATE_SYSTEM_SHAPES_H
+
+// Systems in n-space: the primitive normal of the report, and directions in n-space.
+
+#include "surface_shapes.h"
+
+#include <optional>
+
+namespace interrogate {
+
+// The positive number that makes the vector primitive. For a rational vector: integers without a
+// common factor. With a root the first component that is not zero is made rational before.
+inline Quadratic primitive_factor(const Vector_3<Quadratic>& n)
+{
+  using Traits = CGAL::Fraction_traits<Rational>;
+  using Integer = Traits::Numerator_type;
+  Quadratic first(0);
+  for (int i = 2; i >= 0; --i)
+    if (n[i] != Quadratic(0))
+      first = n[i];
+  if (first < Quadratic(0))
+    first = -first;
+  Integer denominators(1), numerators(0);
+  const auto add = [&](const Rational& x) {
+    Integer numerator, denominator;
+    Traits::Decompose()(x, numerator, denominator);
+    numerators = CGAL::gcd(numerators, numerator);
+    denominators = CGAL::integral_division(Integer(denominators * denominator),
+                                           CGAL::gcd(denominators, denominator));
+  };
+  for (const Quadratic& component : n)
+  {
+    const Quadratic x = component / first;
+    add(x.rational_part());
+    add(x.root_coefficient());
+  }
+  return Quadratic(Traits::Compose()(denominators, numerators)) / first;
+}
+
+template <class NT>
+si::Local_shape_3<NT> with_primitive_normal(const si::Local_shape_3<NT>& s) { return s; }
+
+inline si::Local_shape_3<Quadratic> with_primitive_normal(const si::Local_shape_3<Quadratic>& s)
+{
+  return s.scaled_normal(primitive_factor(s.normal()));
+}
+
+// Refuses a direction of n-space in which some equation certainly changes to first order; floating
+// point makes no such claim.
+template <class NT>
+std::optional<si::Refusal> refuse_not_tangent(const si::N_space_surface_3& surface,
+                                              const std::vector<NT>& at,
+                                              const std::vector<NT>& direction)
+{
+  const si::Sparse_pattern& pattern = surface.tape().gradient_pattern();
+  const std::vector<NT> gradient = surface.tape().gradient(at);
+  for (int k = 0; k < surface.number_of_equations(); ++k)
+  {
+    NT change(0);
+    for (std::size_t e = pattern.row_starts[k]; e < pattern.row_starts[k + 1]; ++e)
+      change += gradient[e] * direction[pattern.columns[e]];
+    using Traits = si::Number_type_traits<NT>;
+    if ((Traits::is_exact || Traits::is_enclosure) &&
+        CGAL::certainly(!si::is_zero_decision(change)))
+      return si::Refusal(si::Refusal_code::NOT_TANGENT,
+                         "equation " + std::to_string(k + 1) + " changes in the direction");
+  }
+  return std::nullopt;
+}
+
+template <class NT>
+si::Result<Shapes<NT>> system_shapes(const si::N_space_surface_3& surface,
+                                     const std::vector<NT>& at,
+                                     const std::vector<NT>& direction)
+{
+  const si::Result<si::Local_shape_3<NT>> shape = surface(at);
+  if (!shape)
+    return shape.refusal();
+  if (direction.size() > 3 && direction.size() == at.size())
+    if (auto refusal = refuse_not_tangent(surface, at, direction))
+      return *refusal;
+  return Shapes<NT>{{"", "", with_primitive_normal(*shape)}};
+}
+
+} // namespace interrogate
+
+#endif // INTERROGATE_SYSTEM_SHAPES_H

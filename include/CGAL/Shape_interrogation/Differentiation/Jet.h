@@ -1,0 +1,290 @@
+// Copyright (c) 2026 The Shape_interrogation authors.
+// All rights reserved.
+//
+// This file is part of Shape_interrogation, a package in the style of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+
+#ifndef CGAL_SHAPE_INTERROGATION_DIFFERENTIATION_JET_H
+#define CGAL_SHAPE_INTERROGATION_DIFFERENTIATION_JET_H
+
+// Truncated Taylor polynomials as a number type: derivatives without derivatives.
+// A coefficient that is zero by structure is marked in a mask, which the compiler folds away where
+// it can and which saves the operation where it cannot (exact types).
+
+#include <CGAL/Shape_interrogation/Differentiation/internal/monomials.h>
+#include <CGAL/Shape_interrogation/Number_types/Elementary_functions.h>
+#include <CGAL/Shape_interrogation/Number_types/Number_type_traits.h>
+#include <CGAL/Shape_interrogation/Number_types/number_cast.h>
+
+#include <array>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Shape_interrogation {
+
+/*!
+ * \ingroup PkgShapeInterrogationDifferentiation
+ * \brief is a polynomial in `N` variables truncated after the total degree `Order`, with the
+ * arithmetic of a number type.
+ *
+ * Evaluating a function once over jets yields its value and all derivatives up to `Order`.
+ * The coefficient of \f$ x_i x_j \f$ is stored, not the derivative:
+ * \f$ \partial^2 f / \partial x_i^2 = 2 c_{ii} \f$, \f$ \partial^2 f / \partial x_i \partial x_j =
+ * c_{ij} \f$.
+ *
+ * The ring operations need a ring `NT`; division and the elementary functions need a field (and the
+ * function in `NT`, see `Elementary_functions`). Nothing branches on a value.
+ *
+ * \tparam NT a number type
+ * \tparam N the number of variables, at least 1
+ * \tparam Order the truncation degree, 1 to 4
+ *
+ * Complexity: a product costs \f$ O(\binom{2N+Order}{Order}) \f$ operations in `NT`, fewer where
+ * coefficients are zero by structure.
+ */
+template <class NT, int N, int Order = 2>
+class Jet
+{
+  using Monomials = internal::Monomials<N, Order>;
+
+public:
+  using Number_type = NT;                               //!< the coefficients
+  static constexpr int variables = N;                   //!< the number of variables
+  static constexpr int order = Order;                   //!< the truncation degree
+  static constexpr int size = Monomials::size;          //!< the number of coefficients
+
+  //! constructs zero.
+  Jet() : m_mask(0) {}
+
+  //! constructs a constant.
+  Jet(const NT& constant) : m_mask(1) { m_c[0] = constant; }
+
+  //! constructs a constant from a small integer.
+  template <class Integer, class = std::enable_if_t<std::is_arithmetic_v<Integer> &&
+                                                    !std::is_same_v<Integer, NT>>>
+  Jet(Integer constant) : Jet(NT(constant)) {}
+
+  //! returns the variable with index `i` at `value`. \pre `0 <= i < N`
+  static Jet variable(int i, const NT& value)
+  {
+    Jet x(value);
+    for_each([&](auto k) __attribute__((always_inline)) {
+      if (k == 1 + i)
+        x.set(k, NT(1));
+    });
+    return x;
+  }
+
+  //! returns the jet of `value + sum step[i] * t_i` in the `N` variables `t_i`: a point moving along
+  //! given directions.
+  static Jet along(const NT& value, const std::array<NT, N>& step)
+  {
+    Jet x(value);
+    for (int i = 0; i < N; ++i)
+    {
+      x.m_c[1 + i] = step[i];
+      x.m_mask |= 2u << i;
+    }
+    return x;
+  }
+
+  //! returns the value.
+  NT value() const { return coefficient(0); }
+
+  //! returns the first derivative with respect to variable `i`.
+  NT derivative(int i) const { return coefficient(1 + i); }
+
+  //! returns the second derivative with respect to variables `i` and `j`.
+  NT derivative(int i, int j) const
+  {
+    NT c = coefficient(Monomials::index(i, j));
+    if (i == j)
+      c += c;
+    return c;
+  }
+
+  //! returns the Taylor coefficient with the given storage index: 1, the variables, the products
+  //! of two variables in lexicographic order, and so on.
+  NT coefficient(int index) const { return has(index) ? m_c[index] : NT(0); }
+
+  //! returns the Taylor coefficient of the monomial with the given exponents.
+  NT coefficient(const std::array<int, N>& exponents) const
+  {
+    return coefficient(Monomials::index_of(exponents));
+  }
+
+  //! tells whether the coefficient is zero by structure, without looking at its value.
+  bool is_structurally_zero(int index) const { return !((m_mask >> index) & 1u); }
+
+#ifndef DOXYGEN_RUNNING
+  friend Jet operator+(const Jet& a) { return a; }
+  friend Jet operator-(const Jet& a)
+  {
+    Jet r;
+    r.m_mask = a.m_mask;
+    for_each([&](auto k) __attribute__((always_inline)) { if (a.has(k)) r.m_c[k] = -a.m_c[k]; });
+    return r;
+  }
+  friend Jet operator+(const Jet& a, const Jet& b)
+  {
+    Jet r;
+    r.m_mask = a.m_mask | b.m_mask;
+    for_each([&](auto k) __attribute__((always_inline)) {
+      if (a.has(k) && b.has(k)) r.m_c[k] = a.m_c[k] + b.m_c[k];
+      else if (a.has(k)) r.m_c[k] = a.m_c[k];
+      else if (b.has(k)) r.m_c[k] = b.m_c[k];
+    });
+    return r;
+  }
+  friend Jet operator-(const Jet& a, const Jet& b)
+  {
+    Jet r;
+    r.m_mask = a.m_mask | b.m_mask;
+    for_each([&](auto k) __attribute__((always_inline)) {
+      if (a.has(k) && b.has(k)) r.m_c[k] = a.m_c[k] - b.m_c[k];
+      else if (a.has(k)) r.m_c[k] = a.m_c[k];
+      else if (b.has(k)) r.m_c[k] = -b.m_c[k];
+    });
+    return r;
+  }
+  friend Jet operator*(const Jet& a, const Jet& b)
+  {
+    Jet r;
+    for_each_product([&](auto i, auto j, auto k) __attribute__((always_inline)) {
+      if (a.has(i) && b.has(j)) r.accumulate(k, a.m_c[i], b.m_c[j]);
+    });
+    return r;
+  }
+  friend Jet operator*(const Jet& a, const NT& s) { return a.scaled(s); }
+  friend Jet operator*(const NT& s, const Jet& a) { return a.scaled(s); }
+  friend Jet operator+(const Jet& a, const NT& s) { return a + Jet(s); }
+  friend Jet operator+(const NT& s, const Jet& a) { return Jet(s) + a; }
+  friend Jet operator-(const Jet& a, const NT& s) { return a - Jet(s); }
+  friend Jet operator-(const NT& s, const Jet& a) { return Jet(s) - a; }
+  friend Jet operator/(const Jet& a, const NT& s)
+  {
+    Jet r;
+    r.m_mask = a.m_mask;
+    for_each([&](auto k) __attribute__((always_inline)) { if (a.has(k)) r.m_c[k] = a.m_c[k] / s; });
+    return r;
+  }
+  friend Jet operator/(const NT& s, const Jet& b) { return b.reciprocal().scaled(s); }
+  friend Jet operator/(const Jet& a, const Jet& b)
+  {
+    if (b.m_mask <= 1u)
+      return a / b.value();
+    return a * b.reciprocal();
+  }
+  template <class I> using If_number =
+    std::enable_if_t<std::is_arithmetic_v<I> && !std::is_same_v<I, NT>, Jet>;
+  template <class I> friend If_number<I> operator*(const Jet& a, I s) { return a.scaled(NT(s)); }
+  template <class I> friend If_number<I> operator*(I s, const Jet& a) { return a.scaled(NT(s)); }
+  template <class I> friend If_number<I> operator/(const Jet& a, I s) { return a / NT(s); }
+  template <class I> friend If_number<I> operator/(I s, const Jet& a) { return NT(s) / a; }
+  template <class I> friend If_number<I> operator+(const Jet& a, I s) { return a + Jet(s); }
+  template <class I> friend If_number<I> operator+(I s, const Jet& a) { return Jet(s) + a; }
+  template <class I> friend If_number<I> operator-(const Jet& a, I s) { return a - Jet(s); }
+  template <class I> friend If_number<I> operator-(I s, const Jet& a) { return Jet(s) - a; }
+
+  Jet& operator+=(const Jet& b) { return *this = *this + b; }
+  Jet& operator-=(const Jet& b) { return *this = *this - b; }
+  Jet& operator*=(const Jet& b) { return *this = *this * b; }
+  Jet& operator/=(const Jet& b) { return *this = *this / b; }
+#endif
+
+  //! returns \f$ \sum_k t_k (x - x_0)^k \f$ for this jet \f$ x \f$ with value \f$ x_0 \f$: the
+  //! function with the Taylor coefficients `t` at \f$ x_0 \f$ applied to the jet.
+  Jet compose(const std::array<NT, Order + 1>& t) const
+  {
+    Jet nilpotent = *this;
+    nilpotent.m_mask &= ~1u;
+    Jet r(t[Order]);
+    for (int k = Order; k-- > 0;)
+    {
+      r = r * nilpotent;
+      r.m_mask |= 1u;
+      r.m_c[0] = t[k];
+    }
+    return r;
+  }
+
+  //! returns 1 divided by the jet. \exception Division_by_zero_error if the value is certainly zero
+  Jet reciprocal() const
+  {
+    if (!has_value() || CGAL::certainly(is_zero_decision(m_c[0])))
+      throw Division_by_zero_error("division by an expression that is zero at this point");
+    std::array<NT, Order + 1> t;
+    t[0] = NT(1) / m_c[0];
+    for (int k = 1; k <= Order; ++k)
+    {
+      NT next = t[k - 1] * t[0];
+      t[k] = -next;
+    }
+    return compose(t);
+  }
+
+private:
+  template <int K> using Index = std::integral_constant<int, K>;
+
+  bool has(int k) const { return (m_mask >> k) & 1u; }
+  bool has_value() const { return has(0); }
+
+  template <class F, int... K>
+  [[gnu::always_inline]] static void for_each(F f, std::integer_sequence<int, K...>)
+  {
+    (f(Index<K>()), ...);
+  }
+  template <class F>
+  [[gnu::always_inline]] static void for_each(F f)
+  {
+    for_each(f, std::make_integer_sequence<int, size>());
+  }
+
+  template <class F, int... P>
+  [[gnu::always_inline]] static void for_each_product(F f, std::integer_sequence<int, P...>)
+  {
+    (f(Index<Monomials::products[P].left>(), Index<Monomials::products[P].right>(),
+       Index<Monomials::products[P].result>()), ...);
+  }
+  template <class F>
+  [[gnu::always_inline]] static void for_each_product(F f)
+  {
+    for_each_product(f, std::make_integer_sequence<int, Monomials::number_of_products>());
+  }
+
+  void set(int k, const NT& c)
+  {
+    m_c[k] = c;
+    m_mask |= 1ull << k;
+  }
+
+  void accumulate(int k, const NT& a, const NT& b)
+  {
+    if (has(k))
+      m_c[k] += a * b;
+    else
+      m_c[k] = a * b;
+    m_mask |= 1u << k;
+  }
+
+  Jet scaled(const NT& s) const
+  {
+    Jet r;
+    r.m_mask = m_mask;
+    for_each([&](auto k) __attribute__((always_inline)) { if (has(k)) r.m_c[k] = m_c[k] * s; });
+    return r;
+  }
+
+  std::array<NT, size> m_c;
+  unsigned long long m_mask;
+};
+
+} // namespace Shape_interrogation
+} // namespace CGAL
+
+#include <CGAL/Shape_interrogation/Differentiation/internal/Jet_functions.h>
+
+#endif // CGAL_SHAPE_INTERROGATION_DIFFERENTIATION_JET_H

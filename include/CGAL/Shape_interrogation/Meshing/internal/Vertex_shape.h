@@ -1,0 +1,186 @@
+// Copyright (c) 2026 The Shape_interrogation authors.
+// All rights reserved.
+//
+// This file is part of Shape_interrogation, a package in the style of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+
+#ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_VERTEX_SHAPE_H
+#define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_VERTEX_SHAPE_H
+
+// The vertex properties from the waist, with an error far below 1e-12 relative to the curvatures:
+// intervals first, exact numbers where those are too wide. The gap of the principal curvatures and
+// their directions come from M = 2 c w q^2 B - a w (q I - N N^T), which vanishes at umbilics only
+// to first order: M = l (d_max d_max^T - d_min d_min^T), kmax - kmin = l / (c w q^2 sqrt q).
+
+#include <CGAL/Shape_interrogation/Analysis/curvatures.h>
+#include <CGAL/Shape_interrogation/Analysis/umbilics.h>
+#include <CGAL/Shape_interrogation/Number_types/number_cast.h>
+#include <CGAL/Shape_interrogation/Waist/Refusal.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Interval_nt.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace CGAL {
+namespace Shape_interrogation {
+namespace internal {
+
+struct Vertex_shape
+{
+  Coordinates<double, 3> normal{}, direction_min{}, direction_max{};
+  double gaussian_curvature = 0, mean_curvature = 0, kmin = 0, kmax = 0;
+};
+
+inline Coordinates<double, 3> normalised(const Coordinates<double, 3>& v)
+{
+  const double length = std::hypot(v[0], v[1], v[2]);
+  return {v[0] / length, v[1] / length, v[2] / length};
+}
+
+// H and the gap rounded, and K: the larger principal curvature first, the other as a quotient.
+inline void set_curvatures(Vertex_shape& s, double k, double h, double gap)
+{
+  s.gaussian_curvature = k;
+  s.mean_curvature = h;
+  const double large = std::abs(h) + gap / 2;
+  const double small = large > 0 ? k / large : 0;
+  s.kmin = h < 0 ? -large : (std::min)(small, large);
+  s.kmax = h < 0 ? (std::max)(-small, -large) : large;
+}
+
+// The frame right-handed with the unit normal in which M is diagonal.
+inline void set_directions(Vertex_shape& s, const Symmetric_matrix_3<double>& m)
+{
+  const Coordinates<double, 3>& n = s.normal;
+  int least = 0;
+  for (int i = 1; i < 3; ++i)
+    if (std::abs(n[i]) < std::abs(n[least]))
+      least = i;
+  Coordinates<double, 3> axis{0, 0, 0};
+  axis[least] = 1;
+  const Coordinates<double, 3> e1 = normalised(cross(axis, n)), e2 = cross(n, e1);
+  const Coordinates<double, 3> m1 = multiply(m, e1), m2 = multiply(m, e2);
+  const double angle = std::atan2(2 * dot(e2, m1), dot(e1, m1) - dot(e2, m2)) / 2;
+  for (int i = 0; i < 3; ++i)
+    s.direction_max[i] = std::cos(angle) * e1[i] + std::sin(angle) * e2[i];
+  s.direction_max = normalised(s.direction_max);
+  s.direction_min = normalised(cross(s.direction_max, n));
+}
+
+template <class NT>
+NT squared_norm(const Symmetric_matrix_3<NT>& m)
+{
+  NT s(0);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+      s += CGAL::square(m(i, j));
+  return s;
+}
+
+inline double middle(const Interval_nt<false>& x) { return number_cast<double>(x); }
+inline double width(const Interval_nt<false>& x) { return x.sup() - x.inf(); }
+
+// The properties, and whether all of them are narrow enough. Callers hold a Protector.
+struct Enclosed_shape
+{
+  Vertex_shape shape;
+  bool is_narrow;
+};
+
+inline Enclosed_shape enclosed_shape(const Local_shape_3<Interval_nt<false>>& s)
+{
+  using NT = Interval_nt<false>;
+  const Symmetric_matrix_3<NT> m = umbilic_deviation(s);
+  const NT q = s.normal_squared_length(), root = CGAL::sqrt(q);
+  const NT l = CGAL::sqrt(nonnegative_part(squared_norm(m)) / NT(2));
+  const NT gap = l / (s.scale() * s.form_denominator() * CGAL::square(q) * root);
+  const NT k = gaussian_curvature(s), h = s.trace_numerator() / (NT(2) * s.scale() * q * root);
+  const double scale = std::abs(middle(h)) + middle(gap) / 2;
+  const double enough = 1e-13;
+  double normal_width = 0, form_width = 0;
+  Coordinates<double, 3> normal;
+  Symmetric_matrix_3<double> form;
+  for (int i = 0; i < 3; ++i)
+  {
+    normal[i] = middle(s.normal()[i]);
+    normal_width = (std::max)(normal_width, width(s.normal()[i]));
+    for (int j = i; j < 3; ++j)
+    {
+      form(i, j) = middle(m(i, j));
+      form_width = (std::max)(form_width, width(m(i, j)));
+    }
+  }
+  Enclosed_shape e;
+  e.shape.normal = normalised(normal);
+  e.is_narrow = width(h) <= enough * scale && width(gap) <= enough * scale &&
+                width(k) <= enough * scale * scale && normal_width <= enough * root.inf() &&
+                form_width <= enough * l.inf();
+  set_curvatures(e.shape, middle(k), middle(h), middle(gap));
+  if (l.inf() > 0)
+    set_directions(e.shape, form);
+  return e;
+}
+
+inline Vertex_shape exact_shape(const Local_shape_3<Exact_rational>& s)
+{
+  Vertex_shape v;
+  Coordinates<Exact_rational, 3> n = s.normal();
+  const Exact_rational largest = (std::max)({Exact_rational(CGAL::abs(n[0])),
+                                             Exact_rational(CGAL::abs(n[1])),
+                                             Exact_rational(CGAL::abs(n[2]))});
+  for (int i = 0; i < 3; ++i)
+    v.normal[i] = number_cast<double>(Exact_rational(n[i] / largest));
+  v.normal = normalised(v.normal);
+  const double h = std::sqrt(number_cast<double>(squared_mean_curvature(s)));
+  set_curvatures(v, number_cast<double>(gaussian_curvature(s)),
+                 sign_of_mean_curvature(s) == NEGATIVE ? -h : h,
+                 std::sqrt(number_cast<double>(squared_curvature_gap(s))));
+  const Symmetric_matrix_3<Exact_rational> m = umbilic_deviation(s);
+  Exact_rational scale(0);
+  for (int i = 0; i < 3; ++i)
+    scale += CGAL::abs(m(i, 0)) + CGAL::abs(m(i, 1)) + CGAL::abs(m(i, 2));
+  if (CGAL::is_zero(scale))
+    return v;
+  Symmetric_matrix_3<double> form;
+  for (int i = 0; i < 3; ++i)
+    for (int j = i; j < 3; ++j)
+      form(i, j) = number_cast<double>(Exact_rational(m(i, j) / scale));
+  set_directions(v, form);
+  return v;
+}
+
+// `enclose()` and `evaluate()` return the local shape in intervals and in exact numbers. Where there
+// are no exact numbers the middle of the intervals is taken.
+template <class Enclose, class Evaluate>
+Result<Vertex_shape> vertex_shape(Enclose enclose, Evaluate evaluate)
+{
+  std::optional<Vertex_shape> wide;
+  {
+    const Interval_nt<false>::Protector protector;
+    const Result<Local_shape_3<Interval_nt<false>>> s = enclose();
+    if (s)
+    {
+      const Enclosed_shape e = enclosed_shape(*s);
+      if (e.is_narrow)
+        return e.shape;
+      wide = e.shape;
+    }
+  }
+  const Result<Local_shape_3<Exact_rational>> s = evaluate();
+  if (s)
+    return exact_shape(*s);
+  if (wide && s.refusal().code() == Refusal_code::NOT_ALGEBRAIC)
+    return *wide;
+  return s.refusal();
+}
+
+} // namespace internal
+} // namespace Shape_interrogation
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_VERTEX_SHAPE_H

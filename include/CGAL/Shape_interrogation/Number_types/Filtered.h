@@ -1,0 +1,207 @@
+// Copyright (c) 2026 The Shape_interrogation authors.
+// All rights reserved.
+//
+// This file is part of Shape_interrogation, a package in the style of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+
+#ifndef CGAL_SHAPE_INTERROGATION_NUMBER_TYPES_FILTERED_H
+#define CGAL_SHAPE_INTERROGATION_NUMBER_TYPES_FILTERED_H
+
+// A filter around a whole chain from input to decision: running magnitude, interval, an exact ring,
+// then exact rationals, each only where the one before is undecided.
+
+#include <CGAL/Shape_interrogation/Number_types/Filter_answer.h>
+#include <CGAL/Shape_interrogation/Number_types/cast_argument.h>
+#include <CGAL/Shape_interrogation/Number_types/internal/Exact_ring.h>
+#include <CGAL/Shape_interrogation/Number_types/internal/Magnitude.h>
+
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Interval_nt.h>
+
+#include <atomic>
+#include <optional>
+#include <utility>
+
+namespace CGAL {
+namespace Shape_interrogation {
+
+/*!
+ * \ingroup PkgShapeInterrogationNumberTypes
+ * \brief counts how often each stage of a filter gave the answer. Thread-safe.
+ */
+struct Filter_statistics
+{
+  std::atomic<unsigned long> magnitude{0};  //!< answers of the running magnitude
+  std::atomic<unsigned long> interval{0};   //!< answers of the interval
+  std::atomic<unsigned long> exact_ring{0}; //!< answers of the exact ring
+  std::atomic<unsigned long> exact{0};      //!< answers of the exact number type
+
+  //! returns how often interval arithmetic did not suffice.
+  unsigned long fallbacks() const { return exact_ring + exact; }
+};
+
+/*!
+ * \ingroup PkgShapeInterrogationNumberTypes
+ * \brief makes any chain of computations that ends in a decision a certified one.
+ *
+ * The chain is a callable that works in every number type: called with arguments converted by
+ * `cast_argument()` it returns a decision (`Sign`, `bool`, or `Uncertain` of these), or a `Result` of
+ * one. The chain is run in floating point with a running magnitude (only for data given in `double`),
+ * then in interval arithmetic under one protection of the rounding mode, and only where these are
+ * undecided exactly: in a ring of dyadic numbers if the data are doubles and the chain does not
+ * divide, else in `ExactNT`. The filter covers the whole chain: a decision about data that were
+ * rounded before would be exact about the wrong data.
+ *
+ * A chain that checks a point to be on a surface is only certified where the check is: an enclosure
+ * cannot prove a zero. Chains should use the level set of the point
+ * (`Implicit_surface_3::level_set_shape()`), or check once with an exact type.
+ *
+ * Const calls are thread-safe if those of the chain are. The rounding mode is restored on every
+ * path, also when the chain throws. Where no stage decides (transcendental functions), a chain that
+ * returns a `Result` answers `Refusal_code::UNDECIDED`; one that returns a bare decision throws
+ * `Uncertain_conversion_exception`.
+ *
+ * \tparam Chain a default or copy constructible callable
+ * \tparam ExactNT an exact field that all data convert to
+ */
+template <class Chain, class ExactNT = CGAL::Exact_rational>
+class Filtered
+{
+public:
+  //! constructs the filter; `statistics`, if given, counts and must outlive the filter.
+  explicit Filtered(Chain chain = Chain(), Filter_statistics* statistics = nullptr)
+    : m_chain(std::move(chain)), m_statistics(statistics)
+  {}
+
+  //! constructs a copy, which learns about its stages on its own.
+  Filtered(const Filtered& other) : m_chain(other.m_chain), m_statistics(other.m_statistics) {}
+
+  //! returns the certified decision of the chain for the arguments.
+  template <class... Args>
+  auto operator()(const Args&... args) const
+  {
+    using Exact_answer = Filter_answer<
+      std::decay_t<decltype(m_chain(cast_argument<ExactNT>(args)...))>>;
+    using Answer = typename Exact_answer::type;
+    constexpr bool doubles = (internal::Has_double_data<Args>::value && ...);
+    std::optional<Answer> answer;
+    if constexpr (doubles)
+      if (m_use_magnitude.load(std::memory_order_relaxed) && try_magnitude(answer, args...))
+        return count(&Filter_statistics::magnitude, *answer);
+    if (try_interval(answer, args...))
+      return count(&Filter_statistics::interval, *answer);
+    Protect_FPU_rounding<true> nearest(CGAL_FE_TONEAREST);
+#ifdef CGAL_HAS_MPZF
+    if constexpr (doubles)
+      if (m_use_ring.load(std::memory_order_relaxed) &&
+          try_ring<internal::Exact_ring>(answer, m_use_ring, args...))
+        return count(&Filter_statistics::exact_ring, *answer);
+#endif
+    return count(&Filter_statistics::exact,
+                 Exact_answer::last(m_chain(cast_argument<ExactNT>(args)...)));
+  }
+
+private:
+  template <class Answer>
+  Answer count(std::atomic<unsigned long> Filter_statistics::*stage, const Answer& answer) const
+  {
+    if (m_statistics)
+      (m_statistics->*stage).fetch_add(1, std::memory_order_relaxed);
+    return answer;
+  }
+
+  template <class Answer, class T>
+  [[gnu::always_inline]] static bool assign(std::optional<Answer>& answer, const T& x)
+  {
+    return Filter_answer<T>::assign(answer, x);
+  }
+
+  // A stage that cannot represent the chain (a constant 1/3, a function) is not tried again.
+  template <class NT, class Answer, class... Args>
+  bool try_ring(std::optional<Answer>& answer, std::atomic<bool>& use,
+                                       const Args&... args) const
+  {
+    try
+    {
+      return assign(answer, m_chain(cast_argument<NT>(args)...));
+    }
+    catch (const Conversion_error&) { use.store(false, std::memory_order_relaxed); }
+    catch (const Uncertain_conversion_exception&) {}
+    return false;
+  }
+
+  // Everything in one function: what the decision does not need is then not computed at all.
+  template <class Answer, class... Args>
+  [[gnu::flatten]] bool try_magnitude(std::optional<Answer>& answer, const Args&... args) const
+  {
+    return try_ring<internal::Magnitude>(answer, m_use_magnitude, args...);
+  }
+
+  template <class Answer, class... Args>
+  bool try_interval(std::optional<Answer>& answer, const Args&... args) const
+  {
+    using Interval = Interval_nt<false>;
+    Interval::Protector protector;
+    try
+    {
+      return assign(answer, m_chain(cast_argument<Interval>(args)...));
+    }
+    catch (const Uncertain_conversion_exception&) {}
+    return false;
+  }
+
+  Chain m_chain;
+  Filter_statistics* m_statistics;
+  mutable std::atomic<bool> m_use_magnitude{true}, m_use_ring{true};
+};
+
+/*!
+ * \ingroup PkgShapeInterrogationNumberTypes
+ * \brief keeps data together with their enclosure, so that a filter does not convert them in each
+ * call.
+ *
+ * \tparam Data a class with a member template `cast<To>()`
+ */
+template <class Data>
+class Prepared
+{
+public:
+  using FT = typename Data::FT; //!< the number type of the data
+  //! the enclosure
+  using Enclosure = std::decay_t<decltype(std::declval<Data>().template cast<Interval_nt<false>>())>;
+
+  //! converts once.
+  explicit Prepared(Data data) : m_data(std::move(data)), m_enclosure(enclose(m_data)) {}
+
+  //! returns the data.
+  const Data& data() const { return m_data; }
+
+  //! returns the data in another number type.
+  template <class To>
+  decltype(auto) cast() const
+  {
+    if constexpr (std::is_same_v<To, Interval_nt<false>>)
+      return static_cast<const Enclosure&>(m_enclosure);
+    else if constexpr (std::is_same_v<To, FT>)
+      return static_cast<const Data&>(m_data);
+    else
+      return m_data.template cast<To>();
+  }
+
+private:
+  static Enclosure enclose(const Data& data)
+  {
+    Interval_nt<false>::Protector protector;
+    return data.template cast<Interval_nt<false>>();
+  }
+
+  Data m_data;
+  Enclosure m_enclosure;
+};
+
+} // namespace Shape_interrogation
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_INTERROGATION_NUMBER_TYPES_FILTERED_H

@@ -1,0 +1,141 @@
+// Copyright (c) 2026 The Shape_interrogation authors.
+// All rights reserved.
+//
+// This file is part of Shape_interrogation, a package in the style of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+
+#ifndef CGAL_SHAPE_INTERROGATION_NUMBER_TYPES_NUMBER_CAST_H
+#define CGAL_SHAPE_INTERROGATION_NUMBER_TYPES_NUMBER_CAST_H
+
+// Conversions between number types that are exact, or enclose, or (to double) round to nearest.
+
+#include <CGAL/Shape_interrogation/Number_types/Errors.h>
+
+#include <CGAL/CORE_Expr.h>
+#include <CGAL/Exact_rational.h>
+#include <CGAL/Interval_nt.h>
+#include <CGAL/number_utils.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <type_traits>
+#include <utility>
+
+namespace CGAL {
+namespace Shape_interrogation {
+
+namespace internal {
+
+template <class T> struct Is_interval : std::false_type {};
+template <bool P> struct Is_interval<Interval_nt<P>> : std::true_type {};
+
+// The double nearest to an exact number (ties to the even neighbour are not broken: either may
+// come). The enclosure of the library is narrowed by exact comparisons until it is one step wide.
+template <class Exact>
+double nearest_double(const Exact& x)
+{
+  const std::pair<double, double> enclosure = CGAL::to_interval(x);
+  double lo = enclosure.first, hi = enclosure.second;
+  if (lo == hi)
+    return lo;
+  if (!std::isfinite(lo) || !std::isfinite(hi))
+    return std::isfinite(lo) ? lo : hi;
+  while (std::nextafter(lo, hi) < hi)
+  {
+    const double middle = lo + (hi - lo) / 2;
+    (Exact(middle) <= x ? lo : hi) = middle;
+  }
+  const Exact twice = x + x;
+  const Exact sum = Exact(lo) + Exact(hi);
+  return twice < sum ? lo : hi;
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgShapeInterrogationNumberTypes
+ * \brief converts one number type to another; a number type joins by specialising it.
+ *
+ * The static member `cast()` must return the exact value, or an enclosure of it when `To` is an
+ * enclosure; to `double` it returns the nearest double where the source is exact.
+ *
+ * \tparam To the target
+ * \tparam From the source
+ */
+template <class To, class From, class Enable = void>
+struct Number_cast
+{
+  //! converts.
+  static To cast(const From& x) { return To(x); }
+};
+
+/*!
+ * \ingroup PkgShapeInterrogationNumberTypes
+ * \brief returns `x` as a number of type `To`: exactly, enclosed, or (to `double`) the nearest one.
+ * \exception Conversion_error if `To` has no such number
+ */
+template <class To, class From>
+inline To number_cast(const From& x)
+{
+  if constexpr (std::is_same_v<To, From>)
+    return x;
+  else
+    return Number_cast<To, From>::cast(x);
+}
+
+#ifndef DOXYGEN_RUNNING
+
+// Anything to double: the nearest one. The middle of an interval.
+template <class From>
+struct Number_cast<double, From, std::enable_if_t<!std::is_arithmetic_v<From>>>
+{
+  static double cast(const From& x)
+  {
+    if constexpr (internal::Is_interval<From>::value)
+      return x.inf() + (x.sup() - x.inf()) / 2;
+    else if constexpr (std::is_same_v<From, CGAL::Exact_rational>)
+      return internal::nearest_double(x);
+    else
+      return CGAL::to_double(x);
+  }
+};
+
+// Exact numbers to an interval; doubles and ints are points.
+template <bool P, class From>
+struct Number_cast<Interval_nt<P>, From, std::enable_if_t<!std::is_arithmetic_v<From>>>
+{
+  static Interval_nt<P> cast(const From& x) { return Interval_nt<P>(CGAL::to_interval(x)); }
+};
+
+// Wide integers do not fit a double: they go through the rational.
+template <bool P>
+struct Number_cast<Interval_nt<P>, long>
+{
+  static Interval_nt<P> cast(long x)
+  {
+    return Interval_nt<P>(CGAL::to_interval(CGAL::Exact_rational(x)));
+  }
+};
+
+// The exact real reads a rational through its decimal text: its own constructors know no GMP types.
+template <>
+struct Number_cast<CORE::Expr, CGAL::Exact_rational>
+{
+  static CORE::Expr cast(const CGAL::Exact_rational& x)
+  {
+    std::ostringstream text;
+    text.imbue(std::locale::classic());
+    text << x;
+    return CORE::Expr(CORE::BigRat(text.str()));
+  }
+};
+
+#endif // DOXYGEN_RUNNING
+
+} // namespace Shape_interrogation
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_INTERROGATION_NUMBER_TYPES_NUMBER_CAST_H
