@@ -26,12 +26,13 @@ STANDS_ON = {
     "Curves": ["Waist"],
     "Surfaces": ["Curves"],
     "Analysis": ["Waist"],
+    "Traits": ["Analysis"],
     "Meshing": ["Analysis", "Surfaces"],
     "IO": ["Meshing"],
 }
 UMBRELLA = "CGAL/Shape_interrogation.h"
 # Floors that the umbrella header need not read.
-NOT_IN_UMBRELLA = set()
+NOT_IN_UMBRELLA = {"Meshing", "IO"}
 READERS = ("test", "examples", "demo", "benchmark")
 LONGEST_LINE = 100
 LONGEST_HEADER = 300

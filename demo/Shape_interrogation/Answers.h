@@ -40,6 +40,7 @@ struct Signed_scalar
 // The answer to `curvature` and `shape_operator` about a surface.
 struct Surface_answer
 {
+  std::vector<std::string> side; // of the knots: left or right, where they differ
   std::optional<std::array<Scalar, 3>> point;
   std::array<Scalar, 3> normal;
   Scalar normal_squared_length;
@@ -50,12 +51,12 @@ struct Surface_answer
   std::array<std::array<Scalar, 3>, 3> shape_operator;
   std::optional<Signed_scalar> normal_curvature;
   std::string hessian_case;
-  Decision oriented; // whether the rule for the side of the normal could be applied
 };
 
 // The answer to `curvature` about a planar curve.
 struct Curve_answer
 {
+  std::vector<std::string> side;
   std::array<Scalar, 2> point, normal;
   Scalar normal_squared_length;
   Signed_scalar curvature;

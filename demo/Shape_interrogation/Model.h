@@ -110,6 +110,7 @@ struct Mesh_task
   std::vector<std::string> surfaces;
   std::string file;
   Number edge_length;
+  std::optional<Number> tolerance;
   std::optional<std::array<Range, 3>> box;
   std::optional<Numbers<3>> start;
 };

@@ -14,6 +14,7 @@
 #include "Model.h"
 
 #include <CGAL/Shape_interrogation/Differentiation/Expression_tape.h>
+#include <CGAL/Shape_interrogation/Number_types/cast_argument.h>
 #include <CGAL/Shape_interrogation/Number_types/Quadratic_field.h>
 
 #include <array>

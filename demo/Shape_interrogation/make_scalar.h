@@ -14,6 +14,8 @@
 #include "Answers.h"
 #include "evaluate_numbers.h"
 
+#include <CGAL/Shape_interrogation/Number_types/reduced_square_root.h>
+
 #include <cmath>
 #include <limits>
 #include <sstream>
@@ -28,12 +30,14 @@ inline std::string exact_text(const Rational& x)
   return out.str();
 }
 
-// a+b*sqrt(c), or the rational number. Empty where c is not known to be square-free.
+// a+b*sqrt(c), or the rational number. Empty where c is not proved to be square-free.
 inline std::string exact_text(const Quadratic& x)
 {
   const std::string a = exact_text(x.rational_part());
   if (x.is_rational())
     return a;
+  if (!si::reduced_square_root(x.root()).square_free)
+    return "";
   const Rational b = x.root_coefficient();
   const std::string root = exact_text(b) + "*sqrt(" + exact_text(x.root()) + ")";
   if (CGAL::is_zero(x.rational_part()))
@@ -57,30 +61,44 @@ inline Scalar make_scalar(const Interval& x)
   return s;
 }
 
-// Exact texts have a size that a reader can still take.
-template <class Exact>
-Scalar make_exact_scalar(const Exact& x)
-{
-  Scalar s;
-  s.approx = si::number_cast<double>(x);
-  s.exact = exact_text(x);
-  if (s.exact.empty() || s.exact.size() > 100000)
-  {
-    s.exact.clear();
-    s.interval = CGAL::to_interval(x);
-  }
-  return s;
-}
-
-inline Scalar make_scalar(const Rational& x) { return make_exact_scalar(x); }
-inline Scalar make_scalar(const Quadratic& x) { return make_exact_scalar(x); }
-
 inline Scalar make_scalar(const Real& x)
 {
   Scalar s;
   s.approx = si::number_cast<double>(x);
   s.interval = CGAL::to_interval(x);
   return s;
+}
+
+// Exact texts have a size that a reader can still take.
+template <class Exact>
+Scalar make_exact_scalar(const Exact& x)
+{
+  std::string text = exact_text(x);
+  if (text.empty() || text.size() > 100000)
+    return make_scalar(si::number_cast<Real>(x));
+  return Scalar{si::number_cast<double>(x), std::move(text), {}};
+}
+
+inline Scalar make_scalar(const Rational& x) { return make_exact_scalar(x); }
+inline Scalar make_scalar(const Quadratic& x) { return make_exact_scalar(x); }
+
+// f(shape), a value that may have a root: in the field if it is there, else as an exact real.
+template <class Shape, class F>
+auto rooted(const Shape& shape, F f)
+{
+  return f(shape);
+}
+
+template <template <class> class Shape, class F>
+auto rooted(const Shape<Quadratic>& shape, F f) -> decltype(f(shape))
+{
+  try
+  {
+    return f(shape);
+  }
+  catch (const si::Not_algebraic_error&) {}
+  catch (const si::Mixed_roots_error&) {}
+  return f(shape.template cast<Real>());
 }
 
 inline Sign_decision sign_of(CGAL::Sign sign) { return static_cast<int>(sign); }

@@ -60,6 +60,16 @@ Number read_number(const Json_place& place)
   return parse_at(place, "a number", [&] { return si::parse_number(text); });
 }
 
+Number read_positive_number(const Json_place& place)
+{
+  const Number number = read_number(place);
+  const bool is_positive =
+    parse_at(place, "a number", [&] { return is_certainly_less(Number(0), number); });
+  if (!is_positive)
+    place.expected("a number greater than 0");
+  return number;
+}
+
 Rational read_rational(const Json_place& place)
 {
   const Number number = read_number(place);

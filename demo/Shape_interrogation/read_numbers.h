@@ -25,7 +25,9 @@ namespace interrogate {
 // A JSON number or a string expression, exactly.
 Number read_number(const Json_place& place);
 
-// The same where no roots are allowed.
+Number read_positive_number(const Json_place& place);
+
+// A number without roots.
 Rational read_rational(const Json_place& place);
 
 std::vector<Number> read_numbers(const Json_place& place, std::size_t size,

@@ -165,53 +165,66 @@ std::string read_file_name(const Json_place& place)
   return name;
 }
 
-std::vector<std::string> read_mesh_surfaces(const Json_place& place)
+// The field "surface", or those of the field "surfaces".
+std::vector<Json_place> mesh_surface_names(const Json_place& place)
 {
-  if (place.find("surface") && place.find("surfaces"))
+  const std::optional<Json_place> list = place.find("surfaces");
+  if (!list)
+    return {place.field("surface")};
+  if (place.find("surface"))
     place.fail("there are both \"surface\" and \"surfaces\": give one of them");
-  std::vector<Json_place> names;
-  if (const std::optional<Json_place> list = place.find("surfaces"))
-    names = list->elements("an array of names of surfaces");
-  else
-    names.push_back(place.field("surface"));
-  std::vector<std::string> surfaces;
-  for (const Json_place& name : names)
-    surfaces.push_back(name.string("the name of a surface"));
-  if (surfaces.empty())
-    place.field("surfaces").expected("the name of one surface or more");
-  return surfaces;
+  const std::vector<Json_place> names = list->elements("an array of names of surfaces");
+  if (names.empty())
+    list->expected("the name of one surface or more");
+  return names;
+}
+
+// Why this version does not mesh the surface, or nothing if it does.
+std::optional<Unsupported_task> refuse_mesh(const Surface_model& surface, bool is_alone)
+{
+  if (const Unsupported* unsupported = std::get_if<Unsupported>(&surface.data))
+    return no_kind(unsupported->kind);
+  if (std::holds_alternative<System_model>(surface.data))
+    return Unsupported_task{"the meshing of systems is not available in this version"};
+  if (std::holds_alternative<Parametric_model>(surface.data))
+    return Unsupported_task{"the meshing of the kind \"parametric\" is not available in this"
+                            " version: give the surface as \"bezier\", \"nurbs\" or \"implicit\""};
+  if (!is_alone && std::holds_alternative<Implicit_model>(surface.data))
+    return Unsupported_task{"an implicit surface is meshed alone: \"surfaces\" are patches"};
+  return std::nullopt;
+}
+
+std::array<Range, 3> read_box(const Json_place& place)
+{
+  const std::vector<Json_place> ranges = place.elements(3, "[[x0,x1],[y0,y1],[z0,z1]]");
+  return {read_range(ranges[0]), read_range(ranges[1]), read_range(ranges[2])};
 }
 
 Task_data read_mesh(const Json_place& place, const Model& model)
 {
-  allow_only(place, {"surface", "surfaces", "curve", "file", "edge_length", "box", "start"});
+  allow_only(place, {"surface", "surfaces", "curve", "file", "edge_length", "tolerance", "box",
+                     "start"});
   if (place.find("curve"))
-    return Unsupported_task{"meshing of curves is not available in this version"};
+    return Unsupported_task{"the meshing of curves is not available in this version"};
   Mesh_task task;
-  task.surfaces = read_mesh_surfaces(place);
-  const std::optional<Json_place> list = place.find("surfaces");
-  for (std::size_t i = 0; i < task.surfaces.size(); ++i)
-  {
-    const Json_place name = list ? list->elements("")[i] : place.field("surface");
-    const Surface_model& surface = read_name(name, model.surfaces, "surface");
-    if (const Unsupported* unsupported = std::get_if<Unsupported>(&surface.data))
-      return no_kind(unsupported->kind);
-    if (std::holds_alternative<System_model>(surface.data))
-      return Unsupported_task{"meshing of systems is not available in this version"};
-  }
   task.file = read_file_name(place.field("file"));
-  task.edge_length = read_number(place.field("edge_length"));
+  task.edge_length = read_positive_number(place.field("edge_length"));
+  if (const std::optional<Json_place> tolerance = place.find("tolerance"))
+    task.tolerance = read_positive_number(*tolerance);
   if (const std::optional<Json_place> box = place.find("box"))
-  {
-    const std::vector<Json_place> ranges = box->elements(3, "[[x0,x1],[y0,y1],[z0,z1]]");
-    task.box.emplace();
-    for (int i = 0; i < 3; ++i)
-      (*task.box)[i] = read_range(ranges[i]);
-  }
+    task.box = read_box(*box);
   if (const std::optional<Json_place> start = place.find("start"))
   {
     start->allow_only({"point"});
     task.start = read_point<3>(start->field("point"), "an array of 3 numbers");
+  }
+  const std::vector<Json_place> names = mesh_surface_names(place);
+  for (const Json_place& name : names)
+  {
+    const Surface_model& surface = read_name(name, model.surfaces, "surface");
+    if (const auto refused = refuse_mesh(surface, names.size() == 1))
+      return *refused;
+    task.surfaces.push_back(name.string(""));
   }
   return task;
 }

@@ -50,19 +50,14 @@ std::string rounded(double x, mpfr_rnd_t direction)
 // The sign counts as decided only where it is.
 bool is_decided(const Signed_scalar& s) { return s.sign.has_value(); }
 
-// A short text for the line on the terminal.
-std::string brief(const Scalar& s)
+// A short text for the line on the terminal; exact where the number type is.
+std::string brief(const Signed_scalar& s, const Task_result& result)
 {
-  if (!s.exact.empty() && s.exact.size() <= 24)
-    return s.exact;
-  if (!s.approx)
-    return "?";
-  return Report_json(*s.approx).dump();
-}
-
-std::string brief(const Signed_scalar& s)
-{
-  return s.sign ? brief(s.value) : brief(s.value) + " (sign undecided)";
+  const Scalar& x = s.value;
+  if (result.number_type == "exact" && !x.exact.empty() && x.exact.size() <= 24)
+    return x.exact;
+  const std::string text = x.approx ? Report_json(*x.approx).dump() : "?";
+  return s.sign ? text : text + " (sign undecided)";
 }
 
 std::string yes_or_no(const Decision& d) { return d ? (*d ? "yes" : "no") : "undecided"; }
@@ -126,10 +121,10 @@ void store(const Surface_answer& a, Task_result& result)
     json["normal_curvature"] = to_json(*a.normal_curvature);
   if (!a.hessian_case.empty())
     json["hessian_case"] = a.hessian_case;
-  result.line = "K = " + brief(a.gaussian_curvature) + ", H = " + brief(a.mean_curvature) +
+  result.line = "K = " + brief(a.gaussian_curvature, result) + ", H = " + brief(a.mean_curvature, result) +
                 ", umbilic: " + yes_or_no(a.umbilic);
   if (a.normal_curvature)
-    result.line += ", in the direction: " + brief(*a.normal_curvature);
+    result.line += ", in the direction: " + brief(*a.normal_curvature, result);
   if (!is_decided(a.gaussian_curvature))
     mark_undecided(result, "the sign of the Gaussian curvature");
   if (!is_decided(a.mean_curvature))
@@ -138,8 +133,6 @@ void store(const Surface_answer& a, Task_result& result)
     mark_undecided(result, "whether the point is umbilic or planar");
   if (a.normal_curvature && !is_decided(*a.normal_curvature))
     mark_undecided(result, "the sign of the normal curvature");
-  if (!a.oriented)
-    mark_undecided(result, "which side the normal points to");
 }
 
 void store(const Curve_answer& a, Task_result& result)
@@ -150,7 +143,7 @@ void store(const Curve_answer& a, Task_result& result)
   json["normal_squared_length"] = to_json(a.normal_squared_length);
   json["curvature"] = to_json(a.curvature);
   json["hessian"] = to_json(a.hessian);
-  result.line = "curvature = " + brief(a.curvature);
+  result.line = "curvature = " + brief(a.curvature, result);
   if (!is_decided(a.curvature))
     mark_undecided(result, "the sign of the curvature");
 }

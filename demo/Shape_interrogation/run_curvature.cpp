@@ -9,6 +9,7 @@
 // The tasks about curvature at a place: chooses the number type and stores what it answers.
 
 #include "answer.h"
+#include "functions_of.h"
 #include "read_model.h"
 #include "run_tasks.h"
 
@@ -16,68 +17,101 @@ namespace interrogate {
 
 namespace {
 
-using Expressions = std::vector<Expression>;
-
-// The functions that a task evaluates.
-struct Functions_of
-{
-  Expressions operator()(const Implicit_model& m) const { return {m.f}; }
-  Expressions operator()(const Parametric_model& m) const { return m.x; }
-  Expressions operator()(const System_model& m) const { return m.equations; }
-  template <class Other>
-  Expressions operator()(const Other&) const { return {}; }
-};
-
-bool are_algebraic(const Expressions& functions)
-{
-  for (const Expression& f : functions)
-    if (!f.is_algebraic())
-      return false;
-  return true;
-}
-
+// The last answer is that from the right; where there are several, all are listed.
 template <class Answer>
-bool is_decided(const std::vector<Answer>& answers)
+void fill(Task_result& result, const si::Result<std::vector<Answer>>& answers)
 {
-  for (const Answer& a : answers)
-    if (!is_decided(a))
-      return false;
-  return true;
+  if (!answers)
+  {
+    result.code = si::to_string(answers.refusal().code());
+    result.status = result.code == "undecided" ? "undecided" : "refused";
+    result.text = answers.refusal().evidence();
+    return;
+  }
+  Report_json sides = Report_json::array();
+  for (const Answer& answer : *answers)
+  {
+    result.fields = Report_json::object();
+    store(answer, result);
+    sides.push_back({{"side", answer.side}});
+    sides.back().update(result.fields);
+  }
+  if (sides.size() > 1)
+  {
+    result.fields["one_sided"] = sides;
+    result.line += " (differs from side to side)";
+  }
 }
 
-// Filtered answers claim their decisions; the values are doubles.
-Scalar without_claim(const Scalar& s) { return Scalar{s.approx, "", {}}; }
-
-// Interval first, exact where the interval does not decide. The exact answer stands only if there is
-// one: at an approximate point there is none, and the decisions stay open.
-template <class Ask_interval, class Ask_exact>
-auto ask_filtered(bool algebraic, Ask_interval ask_interval, Ask_exact ask_exact)
+// The values of filtered answers are doubles without a claim.
+void drop_claims(Report_json& json)
 {
-  const auto first = ask_interval();
-  const bool open = first ? !is_decided(*first)
-                          : first.refusal().code() == si::Refusal_code::UNDECIDED;
-  if (!open || !algebraic)
-    return first;
-  const auto exact = ask_exact();
-  if (exact || !first)
-    return exact;
-  return first;
+  if (json.is_object() && json.contains("approx"))
+  {
+    json.erase("exact");
+    json.erase("interval");
+  }
+  for (Report_json& part : json)
+    if (part.is_structured())
+      drop_claims(part);
 }
 
-template <class Ask>
-auto ask(Number_type type, bool algebraic, Ask ask_in)
+// Intervals first, exact where they do not decide. At a point that is only near the surface there is
+// no exact answer: the decisions stay open.
+template <class Ask_in>
+void fill_filtered(Task_result& result, bool algebraic, Ask_in ask_in)
 {
+  const Task_result empty = result;
+  fill(result, ask_in(Interval()));
+  if (result.status == "undecided" && algebraic)
+  {
+    Task_result exact = empty;
+    fill(exact, ask_in(Quadratic()));
+    if (exact.status == "ok" || result.fields.empty())
+      result = exact;
+    else
+      result.text += " (" + exact.text + ")";
+  }
+  drop_claims(result.fields);
+}
+
+// Asks in the number type that is preferred, or else in the one that suits the functions.
+template <class Ask_in>
+void ask(Task_result& result, std::optional<Number_type> preferred, bool algebraic, Ask_in ask_in)
+{
+  const Number_type type =
+    preferred.value_or(algebraic ? Number_type::EXACT : Number_type::FILTERED);
+  result.number_type = name_of(type);
   switch (type)
   {
-  case Number_type::DOUBLE: return ask_in(double());
-  case Number_type::INTERVAL: return ask_in(Interval());
-  case Number_type::EXACT: return ask_in(Quadratic());
-  case Number_type::FILTERED: break;
+  case Number_type::EXACT: return fill(result, ask_in(Quadratic()));
+  case Number_type::INTERVAL: return fill(result, ask_in(Interval()));
+  case Number_type::DOUBLE: return fill(result, ask_in(double()));
+  case Number_type::FILTERED: return fill_filtered(result, algebraic, ask_in);
   }
-  return ask_filtered(algebraic, [&] { return ask_in(Interval()); },
-                      [&] { return ask_in(Quadratic()); });
 }
 
 } // namespace
+
+void run_curvature(const Model& model, const Curvature_task& task,
+                   std::optional<Number_type> preferred, Task_result& result)
+{
+  if (!task.curve.empty())
+  {
+    const Curve_model& curve = model.curves.at(task.curve);
+    ask(result, preferred, are_algebraic(std::visit(Functions_of(), curve)),
+        [&](auto x) { return answer<decltype(x)>(curve, task); });
+    return;
+  }
+  const Surface_model& surface = model.surfaces.at(task.surface);
+  ask(result, preferred, are_algebraic(std::visit(Functions_of(), surface.data)),
+      [&](auto x) { return answer<decltype(x)>(surface, task); });
+}
+
+void run_shape_operator(const Shape_operator_task& task, std::optional<Number_type> preferred,
+                        Task_result& result)
+{
+  ask(result, preferred, true, [&](auto x) { return answer<decltype(x)>(task); });
+}
 
 } // namespace interrogate

@@ -26,11 +26,11 @@
 
 namespace interrogate {
 
-// The data from one side of the knots; most places have but one side.
+// The data from one side of the knots of both parameters; most places have but one.
 template <class NT>
 struct Sided_shape
 {
-  std::string side_u, side_v; // left or right, empty where there is but one
+  std::vector<std::string> side; // left or right; empty where there is but one
   si::Local_shape_3<NT> shape;
 };
 
@@ -45,7 +45,7 @@ si::Result<Shapes<NT>> one_side(const si::Result<si::Local_shape_3<NT>>& shape)
 {
   if (!shape)
     return shape.refusal();
-  return Shapes<NT>{{"", "", *shape}};
+  return Shapes<NT>{{{}, *shape}};
 }
 
 inline si::Implicit_surface_3<si::Expression_function<3>> make_surface(const Implicit_model& model)
@@ -105,13 +105,15 @@ si::Nurbs_surface_3<NT> make_nurbs(const Patch_model& model)
     Knots(model.degree[1], model.knots[1]).template cast<NT>(), net.points, net.weights);
 }
 
+inline const char* name_of(si::Side side) { return side == si::Side::LEFT ? "left" : "right"; }
+
 inline si::N_space_surface_3 make_surface(const System_model& model,
                                           const std::optional<std::array<Rational, 3>>& orient)
 {
-  si::N_space_surface_3 surface(model.variables, model.equations);
+  si::N_space_system system(model.variables, model.equations);
   if (orient)
-    surface.set_orientation(*orient);
-  return surface;
+    system.set_orientation(*orient);
+  return si::N_space_surface_3(std::move(system));
 }
 
 template <class NT>
@@ -120,7 +122,6 @@ si::Result<Shapes<NT>> nurbs_shapes(const Patch_model& model, const std::vector<
   const auto sides = make_nurbs<NT>(model).one_sided_shapes(first<2>(at));
   if (!sides)
     return sides.refusal();
-  const auto name = [](si::Side side) { return side == si::Side::LEFT ? "left" : "right"; };
   Shapes<NT> shapes;
   for (const auto& s : *sides)
   {
@@ -128,7 +129,7 @@ si::Result<Shapes<NT>> nurbs_shapes(const Patch_model& model, const std::vector<
       return s.shape.refusal();
     if (sides->size() == 1)
       return one_side(s.shape);
-    shapes.push_back({name(s.side_u), name(s.side_v), *s.shape});
+    shapes.push_back({{name_of(s.side_u), name_of(s.side_v)}, *s.shape});
   }
   return shapes;
 }

@@ -61,9 +61,10 @@ std::optional<si::Refusal> refuse_not_tangent(const si::N_space_surface_3& surfa
                                               const std::vector<NT>& at,
                                               const std::vector<NT>& direction)
 {
-  const si::Sparse_pattern& pattern = surface.tape().gradient_pattern();
-  const std::vector<NT> gradient = surface.tape().gradient(at);
-  for (int k = 0; k < surface.number_of_equations(); ++k)
+  const si::Expression_tape& equations = surface.system().tape();
+  const si::Sparse_pattern& pattern = equations.gradient_pattern();
+  const std::vector<NT> gradient = equations.gradient(at);
+  for (int k = 0; k < equations.number_of_outputs(); ++k)
   {
     NT change(0);
     for (std::size_t e = pattern.row_starts[k]; e < pattern.row_starts[k + 1]; ++e)
@@ -77,6 +78,25 @@ std::optional<si::Refusal> refuse_not_tangent(const si::N_space_surface_3& surfa
   return std::nullopt;
 }
 
+// An orientation that is tangent orients nothing.
+template <class NT>
+std::optional<si::Refusal> refuse_orientation(const si::N_space_surface_3& surface,
+                                              const Vector_3<NT>& normal)
+{
+  if (!surface.system().orientation())
+    return std::nullopt;
+  const Vector_3<NT> d = si::cast_argument<NT>(*surface.system().orientation());
+  const NT product = normal[0] * d[0] + normal[1] * d[1] + normal[2] * d[2];
+  const auto is_zero = si::is_zero_decision(product);
+  if (CGAL::certainly(is_zero))
+    return si::Refusal(si::Refusal_code::AMBIGUOUS,
+                       "\"orient\" is a tangent vector there and chooses no side");
+  if (CGAL::possibly(is_zero))
+    return si::Refusal(si::Refusal_code::UNDECIDED,
+                       "it is undecided which side \"orient\" chooses");
+  return std::nullopt;
+}
+
 template <class NT>
 si::Result<Shapes<NT>> system_shapes(const si::N_space_surface_3& surface,
                                      const std::vector<NT>& at,
@@ -85,10 +105,12 @@ si::Result<Shapes<NT>> system_shapes(const si::N_space_surface_3& surface,
   const si::Result<si::Local_shape_3<NT>> shape = surface(at);
   if (!shape)
     return shape.refusal();
+  if (auto refusal = refuse_orientation(surface, shape->normal()))
+    return *refusal;
   if (direction.size() > 3 && direction.size() == at.size())
     if (auto refusal = refuse_not_tangent(surface, at, direction))
       return *refusal;
-  return Shapes<NT>{{"", "", with_primitive_normal(*shape)}};
+  return Shapes<NT>{{{}, with_primitive_normal(*shape)}};
 }
 
 } // namespace interrogate

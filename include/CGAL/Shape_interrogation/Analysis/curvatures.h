@@ -16,6 +16,7 @@
 #include <CGAL/Shape_interrogation/Waist/Local_shape_3.h>
 
 #include <array>
+#include <type_traits>
 
 namespace CGAL {
 namespace Shape_interrogation {
@@ -111,39 +112,80 @@ NT squared_curvature_gap(const Local_shape_3<NT>& s)
   return g;
 }
 
+namespace internal {
+
+// By size; in floating point rounding may have exchanged two that are nearly equal.
+template <class NT>
+std::array<NT, 2> in_order(const NT& low, const NT& high)
+{
+  if constexpr (std::is_floating_point_v<NT>)
+    if (low > high)
+      return {high, low};
+  return {low, high};
+}
+
+} // namespace internal
+
+/*!
+ * \ingroup PkgShapeInterrogationAnalysis
+ * \brief holds the curvatures at a point, for the normal of the data.
+ */
+template <class NT>
+struct Curvatures
+{
+  NT gaussian; //!< the Gaussian curvature
+  NT mean;     //!< the mean curvature
+  NT min;      //!< the smaller principal curvature by signed value
+  NT max;      //!< the larger principal curvature by signed value
+};
+
+/*!
+ * \ingroup PkgShapeInterrogationAnalysis
+ * \brief returns all curvatures in one go. Needs square roots.
+ *
+ * The principal curvature of larger magnitude is computed first and the other as a quotient, so that
+ * no digits cancel in floating point.
+ */
+template <class NT>
+Curvatures<NT> curvatures(const Local_shape_3<NT>& s)
+{
+  const NT& q = s.normal_squared_length();
+  const NT& a = s.trace_numerator();
+  const NT& b = s.minors_numerator();
+  // The discriminant is a square in truth: rounding must not make it negative.
+  const NT root_d =
+    Elementary_functions<NT>::sqrt(internal::nonnegative_part(umbilic_discriminant(s)));
+  const NT cq = s.scale() * q;
+  const NT scale = NT(1) / (NT(2) * cq * Elementary_functions<NT>::sqrt(q));
+  Curvatures<NT> k;
+  k.gaussian = b / (cq * cq);
+  k.mean = a * scale;
+  const auto sign = sign_of_mean_curvature(s);
+  const bool positive = CGAL::certainly(sign == CGAL::POSITIVE);
+  const bool negative = CGAL::certainly(sign == CGAL::NEGATIVE);
+  if (!positive && !negative)
+  {
+    k.min = (a - root_d) * scale;
+    k.max = (a + root_d) * scale;
+    return k;
+  }
+  const NT larger = positive ? NT(a + root_d) : NT(a - root_d);
+  const NT smaller = NT(4) * q * b / larger;
+  k.min = (positive ? smaller : larger) * scale;
+  k.max = (positive ? larger : smaller) * scale;
+  return k;
+}
+
 /*!
  * \ingroup PkgShapeInterrogationAnalysis
  * \brief returns the principal curvatures for the normal of `s`, by signed value: min, then max.
  * Needs square roots.
- *
- * The one of larger magnitude is computed first and the other as a quotient, so that no digits
- * cancel in floating point.
  */
 template <class NT>
 std::array<NT, 2> principal_curvatures(const Local_shape_3<NT>& s)
 {
-  NT d = umbilic_discriminant(s);
-  // The discriminant is a square in truth: rounding must not make it negative.
-  if (CGAL::certainly(sign_decision(d) == CGAL::NEGATIVE))
-    d = NT(0);
-  else if constexpr (Number_type_traits<NT>::is_enclosure)
-    d = internal::nonnegative_part(d);
-  const NT& q = s.normal_squared_length();
-  const NT root_d = Elementary_functions<NT>::sqrt(d);
-  const NT length = NT(2) * s.scale() * q * Elementary_functions<NT>::sqrt(q);
-  const NT& a = s.trace_numerator();
-  const auto sign = sign_of_mean_curvature(s);
-  if (CGAL::certainly(sign == CGAL::POSITIVE))
-  {
-    const NT high = a + root_d;
-    return {NT(NT(4) * q * s.minors_numerator() / (high * length)), NT(high / length)};
-  }
-  if (CGAL::certainly(sign == CGAL::NEGATIVE))
-  {
-    const NT low = a - root_d;
-    return {NT(low / length), NT(NT(4) * q * s.minors_numerator() / (low * length))};
-  }
-  return {NT((a - root_d) / length), NT((a + root_d) / length)};
+  const Curvatures<NT> k = curvatures(s);
+  return {k.min, k.max};
 }
 
 } // namespace Shape_interrogation

@@ -132,13 +132,14 @@ public:
 
   /*!
    * \brief returns the index of the span that contains `t`; where `t` is a knot, the one on the
-   * given side, or the inner one at an end of the domain.
+   * given side, or the inner one at an end of the domain. A refusal calls the parameter `name`.
    *
    * Refused are parameters outside the domain, and enclosures of which it is undecided.
    */
-  Result<int> span(const NT& t, Side side) const
+  Result<int> span(const NT& t, Side side, const char* name = "t") const
   {
-    if (auto refusal = refuse_outside(t))
+    const std::array<NT, 2> ends = domain();
+    if (auto refusal = internal::refuse_outside(name, t, ends[0], ends[1]))
       return *refusal;
     std::size_t low = 0, high = m_spans.size();
     while (high - low > 1)
@@ -158,9 +159,9 @@ public:
    * \brief returns the spans from which `t` gets different second-order data: two at a knot inside
    * the domain where the spline has fewer than two continuous derivatives, else one.
    */
-  Result<std::vector<Span>> spans_at(const NT& t) const
+  Result<std::vector<Span>> spans_at(const NT& t, const char* name = "t") const
   {
-    const Result<int> right = span(t, Side::RIGHT);
+    const Result<int> right = span(t, Side::RIGHT, name);
     if (!right)
       return right.refusal();
     const NT& start = m_knots[*right];
@@ -181,13 +182,6 @@ public:
 
   //! returns \f$ 1 / (t_{i+r} - t_i) \f$, or 0 where the two knots are equal.
   const NT& inverse_length(int i, int r) const { return m_inverse_lengths[r - 1][i]; }
-
-  //! returns the refusal of a parameter outside the domain, if it is one.
-  std::optional<Refusal> refuse_outside(const NT& t) const
-  {
-    const std::array<NT, 2> ends = domain();
-    return internal::refuse_outside("t", t, ends[0], ends[1]);
-  }
 
   //! returns the knot vector in another number type; equal knots stay equal, others different.
   template <class To>

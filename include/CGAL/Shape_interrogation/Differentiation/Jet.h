@@ -68,13 +68,14 @@ public:
   Jet(Integer constant) : Jet(NT(constant)) {}
 
   //! returns the variable with index `i` at `value`. \pre `0 <= i < N`
-  static Jet variable(int i, const NT& value)
+  [[gnu::always_inline]] static Jet variable(int i, const NT& value)
   {
     Jet x(value);
     for_each([&](auto k) __attribute__((always_inline)) {
       if (k == 1 + i)
-        x.set(k, NT(1));
+        x.m_c[k] = NT(1);
     });
+    x.m_mask |= 2ull << i;
     return x;
   }
 
@@ -86,7 +87,7 @@ public:
     for (int i = 0; i < N; ++i)
     {
       x.m_c[1 + i] = step[i];
-      x.m_mask |= 2u << i;
+      x.m_mask |= 2ull << i;
     }
     return x;
   }
@@ -121,45 +122,32 @@ public:
 
 #ifndef DOXYGEN_RUNNING
   friend Jet operator+(const Jet& a) { return a; }
-  friend Jet operator-(const Jet& a)
+  [[gnu::always_inline]] friend Jet operator-(const Jet& a)
   {
-    Jet r;
-    r.m_mask = a.m_mask;
-    for_each([&](auto k) __attribute__((always_inline)) { if (a.has(k)) r.m_c[k] = -a.m_c[k]; });
-    return r;
+    if constexpr (is_light) return Opposite()(a);
+    else return out_of_line(Opposite(), a);
   }
-  friend Jet operator+(const Jet& a, const Jet& b)
+  [[gnu::always_inline]] friend Jet operator+(const Jet& a, const Jet& b)
   {
-    Jet r;
-    r.m_mask = a.m_mask | b.m_mask;
-    for_each([&](auto k) __attribute__((always_inline)) {
-      if (a.has(k) && b.has(k)) r.m_c[k] = a.m_c[k] + b.m_c[k];
-      else if (a.has(k)) r.m_c[k] = a.m_c[k];
-      else if (b.has(k)) r.m_c[k] = b.m_c[k];
-    });
-    return r;
+    if constexpr (is_light) return Sum()(a, b);
+    else return out_of_line(Sum(), a, b);
   }
-  friend Jet operator-(const Jet& a, const Jet& b)
+  [[gnu::always_inline]] friend Jet operator-(const Jet& a, const Jet& b)
   {
-    Jet r;
-    r.m_mask = a.m_mask | b.m_mask;
-    for_each([&](auto k) __attribute__((always_inline)) {
-      if (a.has(k) && b.has(k)) r.m_c[k] = a.m_c[k] - b.m_c[k];
-      else if (a.has(k)) r.m_c[k] = a.m_c[k];
-      else if (b.has(k)) r.m_c[k] = -b.m_c[k];
-    });
-    return r;
+    if constexpr (is_light) return Difference()(a, b);
+    else return out_of_line(Difference(), a, b);
   }
-  friend Jet operator*(const Jet& a, const Jet& b)
+  [[gnu::always_inline]] friend Jet operator*(const Jet& a, const Jet& b)
   {
-    Jet r;
-    for_each_product([&](auto i, auto j, auto k) __attribute__((always_inline)) {
-      if (a.has(i) && b.has(j)) r.accumulate(k, a.m_c[i], b.m_c[j]);
-    });
-    return r;
+    if constexpr (is_light) return Product()(a, b);
+    else return out_of_line(Product(), a, b);
   }
-  friend Jet operator*(const Jet& a, const NT& s) { return a.scaled(s); }
-  friend Jet operator*(const NT& s, const Jet& a) { return a.scaled(s); }
+  [[gnu::always_inline]] friend Jet operator*(const Jet& a, const NT& s)
+  {
+    if constexpr (is_light) return Multiple()(a, s);
+    else return out_of_line(Multiple(), a, s);
+  }
+  friend Jet operator*(const NT& s, const Jet& a) { return a * s; }
   friend Jet operator+(const Jet& a, const NT& s) { return a + Jet(s); }
   friend Jet operator+(const NT& s, const Jet& a) { return Jet(s) + a; }
   friend Jet operator-(const Jet& a, const NT& s) { return a - Jet(s); }
@@ -168,10 +156,10 @@ public:
   {
     Jet r;
     r.m_mask = a.m_mask;
-    for_each([&](auto k) __attribute__((always_inline)) { if (a.has(k)) r.m_c[k] = a.m_c[k] / s; });
+    for_each([&](auto k) { if (a.has(k)) r.m_c[k] = a.m_c[k] / s; });
     return r;
   }
-  friend Jet operator/(const NT& s, const Jet& b) { return b.reciprocal().scaled(s); }
+  friend Jet operator/(const NT& s, const Jet& b) { return b.reciprocal() * s; }
   friend Jet operator/(const Jet& a, const Jet& b)
   {
     if (b.m_mask <= 1u)
@@ -180,8 +168,8 @@ public:
   }
   template <class I> using If_number =
     std::enable_if_t<std::is_arithmetic_v<I> && !std::is_same_v<I, NT>, Jet>;
-  template <class I> friend If_number<I> operator*(const Jet& a, I s) { return a.scaled(NT(s)); }
-  template <class I> friend If_number<I> operator*(I s, const Jet& a) { return a.scaled(NT(s)); }
+  template <class I> friend If_number<I> operator*(const Jet& a, I s) { return a * NT(s); }
+  template <class I> friend If_number<I> operator*(I s, const Jet& a) { return a * NT(s); }
   template <class I> friend If_number<I> operator/(const Jet& a, I s) { return a / NT(s); }
   template <class I> friend If_number<I> operator/(I s, const Jet& a) { return NT(s) / a; }
   template <class I> friend If_number<I> operator+(const Jet& a, I s) { return a + Jet(s); }
@@ -211,6 +199,14 @@ public:
     return r;
   }
 
+  //! returns the jet without its constant and linear terms.
+  Jet without_affine_part() const
+  {
+    Jet r = *this;
+    r.m_mask &= ~((2ull << N) - 1);
+    return r;
+  }
+
   //! returns 1 divided by the jet. \exception Division_by_zero_error if the value is certainly zero
   Jet reciprocal() const
   {
@@ -228,8 +224,83 @@ public:
 
 private:
   template <int K> using Index = std::integral_constant<int, K>;
+  static constexpr bool is_light = Number_type_traits<NT>::is_light;
 
-  bool has(int k) const { return (m_mask >> k) & 1u; }
+  // The operations are inlined into the caller for light types only: there the masks become
+  // constants and the zero terms vanish; for others the code would grow beyond all measure.
+  struct Opposite
+  {
+    [[gnu::always_inline]] Jet operator()(const Jet& a) const
+    {
+      Jet r;
+      r.m_mask = a.m_mask;
+      for_each([&](auto k) __attribute__((always_inline)) { if (a.has(k)) r.m_c[k] = -a.m_c[k]; });
+      return r;
+    }
+  };
+  struct Sum
+  {
+    [[gnu::always_inline]] Jet operator()(const Jet& a, const Jet& b) const
+    {
+      Jet r;
+      r.m_mask = a.m_mask | b.m_mask;
+      for_each([&](auto k) __attribute__((always_inline)) {
+        if (a.has(k) && b.has(k)) r.m_c[k] = a.m_c[k] + b.m_c[k];
+        else if (a.has(k)) r.m_c[k] = a.m_c[k];
+        else if (b.has(k)) r.m_c[k] = b.m_c[k];
+      });
+      return r;
+    }
+  };
+  struct Difference
+  {
+    [[gnu::always_inline]] Jet operator()(const Jet& a, const Jet& b) const
+    {
+      Jet r;
+      r.m_mask = a.m_mask | b.m_mask;
+      for_each([&](auto k) __attribute__((always_inline)) {
+        if (a.has(k) && b.has(k)) r.m_c[k] = a.m_c[k] - b.m_c[k];
+        else if (a.has(k)) r.m_c[k] = a.m_c[k];
+        else if (b.has(k)) r.m_c[k] = -b.m_c[k];
+      });
+      return r;
+    }
+  };
+  struct Product
+  {
+    [[gnu::always_inline]] Jet operator()(const Jet& a, const Jet& b) const
+    {
+      Jet r;
+      for_each_product([&](auto i, auto j, auto k) __attribute__((always_inline)) {
+        if (!a.has(i) || !b.has(j))
+          return;
+        if (r.has(k)) r.m_c[k] += a.m_c[i] * b.m_c[j];
+        else r.m_c[k] = a.m_c[i] * b.m_c[j];
+        r.m_mask |= 1ull << k;
+      });
+      return r;
+    }
+  };
+  struct Multiple
+  {
+    [[gnu::always_inline]] Jet operator()(const Jet& a, const NT& s) const
+    {
+      Jet r;
+      r.m_mask = a.m_mask;
+      for_each([&](auto k) __attribute__((always_inline)) {
+        if (a.has(k)) r.m_c[k] = a.m_c[k] * s;
+      });
+      return r;
+    }
+  };
+
+  template <class Operation, class... Args>
+  static Jet out_of_line(Operation operation, const Args&... args)
+  {
+    return operation(args...);
+  }
+
+  [[gnu::always_inline]] bool has(int k) const { return (m_mask >> k) & 1u; }
   bool has_value() const { return has(0); }
 
   template <class F, int... K>
@@ -253,29 +324,6 @@ private:
   [[gnu::always_inline]] static void for_each_product(F f)
   {
     for_each_product(f, std::make_integer_sequence<int, Monomials::number_of_products>());
-  }
-
-  void set(int k, const NT& c)
-  {
-    m_c[k] = c;
-    m_mask |= 1ull << k;
-  }
-
-  void accumulate(int k, const NT& a, const NT& b)
-  {
-    if (has(k))
-      m_c[k] += a * b;
-    else
-      m_c[k] = a * b;
-    m_mask |= 1u << k;
-  }
-
-  Jet scaled(const NT& s) const
-  {
-    Jet r;
-    r.m_mask = m_mask;
-    for_each([&](auto k) __attribute__((always_inline)) { if (has(k)) r.m_c[k] = m_c[k] * s; });
-    return r;
   }
 
   std::array<NT, size> m_c;

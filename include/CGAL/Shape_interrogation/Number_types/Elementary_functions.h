@@ -48,7 +48,7 @@ struct No_functions
   static NT pi() { refuse_function("pi"); }
 };
 
-// Whether n = r * r, found with the library's integer square root through exact reals.
+// Whether x is the square of a rational number.
 template <class Rational>
 bool has_rational_root(const Rational& x, Rational& root)
 {

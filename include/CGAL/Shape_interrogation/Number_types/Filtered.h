@@ -157,50 +157,6 @@ private:
   mutable std::atomic<bool> m_use_magnitude{true}, m_use_ring{true};
 };
 
-/*!
- * \ingroup PkgShapeInterrogationNumberTypes
- * \brief keeps data together with their enclosure, so that a filter does not convert them in each
- * call.
- *
- * \tparam Data a class with a member template `cast<To>()`
- */
-template <class Data>
-class Prepared
-{
-public:
-  using FT = typename Data::FT; //!< the number type of the data
-  //! the enclosure
-  using Enclosure = std::decay_t<decltype(std::declval<Data>().template cast<Interval_nt<false>>())>;
-
-  //! converts once.
-  explicit Prepared(Data data) : m_data(std::move(data)), m_enclosure(enclose(m_data)) {}
-
-  //! returns the data.
-  const Data& data() const { return m_data; }
-
-  //! returns the data in another number type.
-  template <class To>
-  decltype(auto) cast() const
-  {
-    if constexpr (std::is_same_v<To, Interval_nt<false>>)
-      return static_cast<const Enclosure&>(m_enclosure);
-    else if constexpr (std::is_same_v<To, FT>)
-      return static_cast<const Data&>(m_data);
-    else
-      return m_data.template cast<To>();
-  }
-
-private:
-  static Enclosure enclose(const Data& data)
-  {
-    Interval_nt<false>::Protector protector;
-    return data.template cast<Interval_nt<false>>();
-  }
-
-  Data m_data;
-  Enclosure m_enclosure;
-};
-
 } // namespace Shape_interrogation
 } // namespace CGAL
 

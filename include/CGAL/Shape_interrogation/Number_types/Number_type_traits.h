@@ -86,9 +86,16 @@ inline typename Number_type_traits<NT>::Boolean is_zero_decision(const NT& x)
 
 namespace internal {
 
-// The part of an enclosure that a quantity known to be non-negative can have.
+// A quantity known to be non-negative: what rounding put below zero is cut off. An exact number that
+// is negative would be an error, which is not hidden.
 template <class NT>
-NT nonnegative_part(const NT& x) { return x; }
+NT nonnegative_part(const NT& x)
+{
+  if constexpr (std::is_floating_point_v<NT>)
+    return x < NT(0) ? NT(0) : x;
+  else
+    return x;
+}
 
 template <bool P>
 Interval_nt<P> nonnegative_part(const Interval_nt<P>& x)

@@ -16,6 +16,7 @@
 #include <CGAL/Shape_interrogation/Number_types/Errors.h>
 #include <CGAL/Shape_interrogation/Number_types/Number_type_traits.h>
 #include <CGAL/Shape_interrogation/Number_types/number_cast.h>
+#include <CGAL/Shape_interrogation/Number_types/reduced_square_root.h>
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Sqrt_extension.h>
@@ -181,15 +182,39 @@ struct Number_cast<CORE::Expr, Quadratic_field>
   }
 };
 
-// A root stays in the field only if the radicand is rational: sqrt of a + b sqrt(c) is refused.
+// sqrt(n/d) = r sqrt(c) / d with n d = r^2 c; numbers with a root may be squares in their field.
 template <>
 struct Elementary_functions<Quadratic_field> : internal::No_functions<Quadratic_field>
 {
   static Quadratic_field sqrt(const Quadratic_field& x)
   {
+    if (x.sign() == NEGATIVE)
+      throw Domain_error("sqrt of a negative number");
     if (!x.is_rational())
-      throw Not_algebraic_error("sqrt of a number with a root is not in the quadratic field");
-    return Quadratic_field(Elementary_functions<CGAL::Exact_rational>::sqrt(x.rational_part()));
+      return root_in_field(x);
+    const Reduced_square_root root = reduced_square_root(x.rational_part());
+    if (root.radicand == 1)
+      return Quadratic_field(root.factor);
+    return Quadratic_field(Quadratic_field::Rational(0), root.factor, root.radicand);
+  }
+
+private:
+  using Rational = Quadratic_field::Rational;
+
+  // (y + z sqrt(c))^2 = a + b sqrt(c) for y^2 = (a +- n) / 2, n^2 = a^2 - b^2 c, z = b / (2 y).
+  static Quadratic_field root_in_field(const Quadratic_field& x)
+  {
+    const Rational a = x.rational_part(), b = x.root_coefficient(), c = x.root();
+    const Rational norm = a * a - b * b * c;
+    Rational n, y;
+    if (!CGAL::is_negative(norm) && internal::has_rational_root(norm, n))
+      for (const Rational& candidate : {Rational((a + n) / 2), Rational((a - n) / 2)})
+        if (CGAL::is_positive(candidate) && internal::has_rational_root(candidate, y))
+        {
+          const Quadratic_field root(y, Rational(b / (2 * y)), c);
+          return root.sign() == NEGATIVE ? -root : root;
+        }
+    throw Not_algebraic_error("sqrt of a number with a root is not in the quadratic field");
   }
 };
 

@@ -90,14 +90,12 @@ public:
     check_size();
   }
 
-  /*!
-   * \brief constructs the rational patch with the homogeneous control points \f$ (w x, w y, w z, w)
-   * \f$, of which some may have the weight 0; the order is as above.
-   */
-  Bezier_surface_3(int degree_u, int degree_v, const std::vector<Homogeneous_point>& points)
-    : m_degree_u(degree_u), m_degree_v(degree_v), m_points(points)
+  //! returns the rational patch with the homogeneous control points \f$ (w x, w y, w z, w) \f$, of
+  //! which some may have the weight 0. The order is as above.
+  static Bezier_surface_3 from_homogeneous(int degree_u, int degree_v,
+                                           const std::vector<Homogeneous_point>& points)
   {
-    check_size();
+    return Bezier_surface_3(degree_u, degree_v, Control_points(points));
   }
 
   int degree_u() const { return m_degree_u; } //!< returns the degree along \f$ u \f$.
@@ -213,7 +211,9 @@ private:
 
   Bezier_surface_3(int degree_u, int degree_v, Control_points points)
     : m_degree_u(degree_u), m_degree_v(degree_v), m_points(std::move(points))
-  {}
+  {
+    check_size();
+  }
 
   void check_size() const
   {
@@ -242,17 +242,19 @@ private:
   template <class T, class Ask>
   Result<T> answer(const Parameters& uv, Ask ask) const
   {
-    return internal::refuse_errors<T>([&]() -> Result<T> {
-      if (is_rational())
-        return ask(evaluate<4>(uv));
-      return ask(evaluate<3>(uv));
+    return internal::refuse_errors<T>([&] {
+      return internal::call_for<NT>([&]() -> Result<T> {
+        if (is_rational())
+          return ask(evaluate<4>(uv));
+        return ask(evaluate<3>(uv));
+      });
     });
   }
 
   template <int Dim>
   internal::Tensor_derivatives<NT, Dim> evaluate(const Parameters& uv) const
   {
-    return internal::with_degrees(m_degree_u, m_degree_v, [&](auto degree) {
+    return internal::with_degrees<NT>(m_degree_u, m_degree_v, [&](auto degree) {
       return internal::tensor_derivatives<Dim>(
         m_points.numbers(), Dim * (m_degree_v + 1),
         internal::bernstein_basis<degree.value>(m_degree_u, uv[0]),

@@ -111,7 +111,8 @@ private:
     const Coordinates<NT, 3> n{f.derivative(0), f.derivative(1), f.derivative(2)};
     const Symmetric_matrix_3<NT> h(f.derivative(0, 0), f.derivative(0, 1), f.derivative(0, 2),
                                    f.derivative(1, 1), f.derivative(1, 2), f.derivative(2, 2));
-    Result<Local_shape_3<NT>> s = Local_shape_3<NT>::from_form(p, n, h);
+    Result<Local_shape_3<NT>> s(std::in_place,
+                                [&] { return Local_shape_3<NT>::from_form(p, n, h); });
     if (auto refusal = internal::refuse_zero(s->normal_squared_length(),
                                              Refusal_code::SINGULAR_POINT,
                                              "the squared length of the gradient"))

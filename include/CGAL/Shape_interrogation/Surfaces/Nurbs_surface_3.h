@@ -9,8 +9,8 @@
 #ifndef CGAL_SHAPE_INTERROGATION_SURFACES_NURBS_SURFACE_3_H
 #define CGAL_SHAPE_INTERROGATION_SURFACES_NURBS_SURFACE_3_H
 
-// B-spline surfaces, polynomial or rational, with exact second-order data from either side of a knot
-// and exact extraction of their Bezier patches.
+// B-spline surfaces, polynomial or rational: exact second-order data from either side of a knot,
+// and exact extraction of the Bezier patches.
 
 #include <CGAL/Shape_interrogation/Curves/Knot_vector.h>
 #include <CGAL/Shape_interrogation/Curves/internal/spline_basis.h>
@@ -20,6 +20,8 @@
 #include <CGAL/assertions.h>
 
 #include <array>
+#include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -28,7 +30,7 @@ namespace Shape_interrogation {
 
 /*!
  * \ingroup PkgShapeInterrogationSurfaces
- * \brief holds the second-order data that a parameter pair has from one side of the knots there.
+ * \brief holds the second-order data of a surface from one side of the knots at a place.
  */
 template <class NT>
 struct One_sided_shape_3
@@ -57,9 +59,9 @@ struct Surface_piece_3
  *
  * The knot vectors are full ones and may be unclamped; the domain is
  * \f$ [U_p, U_m] \times [V_q, V_n] \f$ for m x n control points. At a knot where the surface has
- * fewer than two continuous derivatives the data differ from side to side: `operator()` answers from
- * the right (from the left at the end of the domain), `one_sided_shapes()` from all sides. Decisions
- * are free of division but for the lengths of the knot spans, which are inverted at construction.
+ * fewer than two continuous derivatives the data differ from side to side: `operator()` answers
+ * from the right (from the left at the end of the domain), `one_sided_shapes()` from all sides.
+ * Only the lengths of knot spans are divided by, and that once at construction.
  *
  * Const calls are thread-safe. Degenerate cases are those of `Bezier_surface_3`.
  *
@@ -72,8 +74,6 @@ template <class NT>
 class Nurbs_surface_3
 {
   using Control_points = internal::Control_points<NT, 3>;
-  template <int Dim>
-  using Derivatives = internal::Tensor_derivatives<NT, Dim>;
 
 public:
   using FT = NT;                                //!< the number type
@@ -86,10 +86,10 @@ public:
   using Query = Coordinates<Number, 2>;
 
   /*!
-   * \brief constructs the surface with the control points `points[i][j]`, `i` along \f$ u \f$, and
-   * the weights `weights[i][j]`, if any. The control points are given unweighted.
+   * \brief constructs the surface with the control points `points[i][j]`, `i` along \f$ u \f$,
+   * and the weights `weights[i][j]`, if any. The control points are given unweighted.
    *
-   * \pre the numbers of rows and columns are `number_of_control_points()` of the knot vectors
+   * \pre `why_invalid()` has nothing to tell
    */
   Nurbs_surface_3(Knot_vector<NT> knots_u, Knot_vector<NT> knots_v,
                   const std::vector<std::vector<Point>>& points,
@@ -97,10 +97,23 @@ public:
     : Nurbs_surface_3(std::move(knots_u), std::move(knots_v),
                       Control_points(internal::in_a_row(points), internal::in_a_row(weights)))
   {
-    CGAL_precondition_msg(static_cast<int>(points.size()) == m_u.number_of_control_points() &&
-                            m_points.size() == rows() * columns(),
-                          "a B-spline surface has as many rows and columns of control points as "
-                          "its knot vectors have knots, less the degree and one");
+    CGAL_precondition_code(const auto reason = why_invalid(m_u, m_v, points, weights);)
+    CGAL_precondition_msg(!reason, reason->c_str());
+  }
+
+  //! tells in one sentence why these data make no surface, or nothing if they do.
+  static std::optional<std::string> why_invalid(const Knot_vector<NT>& knots_u,
+                                                const Knot_vector<NT>& knots_v,
+                                                const std::vector<std::vector<Point>>& points,
+                                                const std::vector<std::vector<NT>>& weights = {})
+  {
+    const int rows = knots_u.number_of_control_points();
+    const int columns = knots_v.number_of_control_points();
+    if (auto reason = internal::why_no_grid("control points", points, rows, columns))
+      return reason;
+    if (!weights.empty())
+      return internal::why_no_grid("weights", weights, rows, columns);
+    return std::nullopt;
   }
 
   const Knot_vector<NT>& knots_u() const { return m_u; } //!< returns the knots along \f$ u \f$.
@@ -121,7 +134,7 @@ public:
   std::array<Parameters, 2> domain() const { return {m_u.domain(), m_v.domain()}; }
 
   /*!
-   * \brief computes the second-order data at the parameters `uv`; at a knot those of the given sides.
+   * \brief computes the second-order data at the parameters `uv`, at a knot from the given sides.
    *
    * Refused are parameters outside the domain (`OUTSIDE_DOMAIN`), irregular places
    * (`IRREGULAR_PARAMETRISATION`), zeros of the common weight (`POLE`), and what the number type
@@ -148,7 +161,8 @@ public:
    */
   Result<std::vector<One_sided_shape_3<NT>>> one_sided_shapes(const Parameters& uv) const
   {
-    const auto spans_u = m_u.spans_at(uv[0]), spans_v = m_v.spans_at(uv[1]);
+    const auto spans_u = m_u.spans_at(uv[0], "u");
+    const auto spans_v = m_v.spans_at(uv[1], "v");
     if (!spans_u || !spans_v)
       return !spans_u ? spans_u.refusal() : spans_v.refusal();
     std::vector<One_sided_shape_3<NT>> shapes;
@@ -222,10 +236,10 @@ private:
   template <class T, class Ask>
   Result<T> answer(const Parameters& uv, Side side_u, Side side_v, Ask ask) const
   {
-    const Result<int> u = m_u.span(uv[0], side_u);
+    const Result<int> u = m_u.span(uv[0], side_u, "u");
     if (!u)
       return u.refusal();
-    const Result<int> v = m_v.span(uv[1], side_v);
+    const Result<int> v = m_v.span(uv[1], side_v, "v");
     if (!v)
       return v.refusal();
     return on_spans<T>(uv, *u, *v, ask);
@@ -234,17 +248,19 @@ private:
   template <class T, class Ask>
   Result<T> on_spans(const Parameters& uv, int span_u, int span_v, Ask ask) const
   {
-    return internal::refuse_errors<T>([&]() -> Result<T> {
-      if (is_rational())
-        return ask(evaluate<4>(uv, span_u, span_v));
-      return ask(evaluate<3>(uv, span_u, span_v));
+    return internal::refuse_errors<T>([&] {
+      return internal::call_for<NT>([&]() -> Result<T> {
+        if (is_rational())
+          return ask(evaluate<4>(uv, span_u, span_v));
+        return ask(evaluate<3>(uv, span_u, span_v));
+      });
     });
   }
 
   template <int Dim>
-  Derivatives<Dim> evaluate(const Parameters& uv, int span_u, int span_v) const
+  internal::Tensor_derivatives<NT, Dim> evaluate(const Parameters& uv, int span_u, int span_v) const
   {
-    return internal::with_degrees(degree_u(), degree_v(), [&](auto degree) {
+    return internal::with_degrees<NT>(degree_u(), degree_v(), [&](auto degree) {
       return internal::tensor_derivatives<Dim>(
         net<Dim>(span_u, span_v), Dim * columns(),
         internal::spline_basis<degree.value>(m_u, span_u, uv[0]),
@@ -266,10 +282,13 @@ private:
         x.fill(NT(0));
         for (std::size_t i = 0; i < a.size(); ++i)
           for (std::size_t j = 0; j < b.size(); ++j)
-            internal::add_multiple(false, x, NT(a[i] * b[j]), first + Dim * (i * columns() + j));
+            internal::add_multiple(x, NT(a[i] * b[j]), first + Dim * (i * columns() + j));
         points.push_back(x);
       }
-    return Bezier_surface_3<NT>(degree_u(), degree_v(), std::move(points));
+    if constexpr (Dim == 4)
+      return Bezier_surface_3<NT>::from_homogeneous(degree_u(), degree_v(), points);
+    else
+      return Bezier_surface_3<NT>(degree_u(), degree_v(), std::move(points));
   }
 
   Knot_vector<NT> m_u, m_v;

@@ -42,6 +42,7 @@ enum class Refusal_code
   PROJECTION_SINGULAR,        //!< the projection into space is not an immersion there
   DEPENDENT_DIRECTIONS,       //!< two of three given directions are parallel
   NOT_TANGENT,                //!< a given direction is not tangent
+  AMBIGUOUS,                  //!< there are several answers, none better than the others
   NOT_ALGEBRAIC,              //!< the value does not exist in the number type
   OUTSIDE_DOMAIN,             //!< the parameter lies outside the domain
   LIMIT_EXCEEDED,             //!< a value overflows or a documented limit is exceeded
@@ -58,7 +59,7 @@ inline const char* to_string(Refusal_code code)
   static const char* const names[] = {
     "not_on_surface", "singular_point", "irregular_parametrisation", "pole", "not_on_solution",
     "underdetermined", "rank_deficient", "not_two_dimensional", "inconsistent_redundancy",
-    "projection_singular", "dependent_directions", "not_tangent", "not_algebraic",
+    "projection_singular", "dependent_directions", "not_tangent", "ambiguous", "not_algebraic",
     "outside_domain", "limit_exceeded", "undecided", "cancelled"};
   return names[static_cast<int>(code)];
 }
@@ -71,19 +72,33 @@ class Refusal
 {
 public:
   //! constructs a refusal; `evidence` is one sentence for people.
-  Refusal(Refusal_code code, std::string evidence)
-    : m_code(code), m_evidence(std::move(evidence))
-  {}
+  Refusal(Refusal_code code, std::string evidence) : m_data(make(code, std::move(evidence))) {}
 
   //! returns the code.
-  Refusal_code code() const { return m_code; }
+  Refusal_code code() const { return m_data->code; }
 
   //! returns the evidence.
-  const std::string& evidence() const { return m_evidence; }
+  const std::string& evidence() const { return m_data->evidence; }
 
 private:
-  Refusal_code m_code;
-  std::string m_evidence;
+  template <class T> friend class Result;
+
+  struct Data
+  {
+    Refusal_code code;
+    std::string evidence;
+  };
+  using Data_pointer = std::shared_ptr<const Data>;
+
+  // Out of line: refusals are rare, and the code around them is hot.
+  [[gnu::noinline, gnu::cold]] static Data_pointer make(Refusal_code code, std::string evidence)
+  {
+    return std::make_shared<const Data>(Data{code, std::move(evidence)});
+  }
+
+  explicit Refusal(Data_pointer data) : m_data(std::move(data)) {}
+
+  Data_pointer m_data;
 };
 
 /*!
@@ -101,10 +116,12 @@ public:
   using value_type = T; //!< the type of the answer
 
   Result(T value) : m_value(std::move(value)) {} //!< holds an answer.
-  //! holds a refusal.
-  Result(Refusal refusal)
-    : m_value(), m_refusal(std::make_shared<const Refusal>(std::move(refusal)))
+  //! holds the answer that `make()` returns, constructed in place: large answers are not copied.
+  template <class Make>
+  Result(std::in_place_t, Make make) : m_value(make())
   {}
+  //! holds a refusal.
+  Result(Refusal refusal) : m_value(), m_refusal(std::move(refusal.m_data)) {}
 
   //! tells whether there is an answer.
   bool has_value() const { return !m_refusal; }
@@ -113,25 +130,33 @@ public:
   explicit operator bool() const { return has_value(); }
 
   //! returns the answer. \pre `has_value()`
-  const T& value() const
+  const T& value() const&
   {
     CGAL_precondition_msg(has_value(), "there is no answer: look at refusal()");
     return m_value;
   }
 
-  const T& operator*() const { return value(); }   //!< is the same as `value()`.
+  //! returns the answer of a temporary. \pre `has_value()`
+  T value() &&
+  {
+    CGAL_precondition_msg(has_value(), "there is no answer: look at refusal()");
+    return std::move(m_value);
+  }
+
+  const T& operator*() const& { return value(); }      //!< is the same as `value()`.
+  T operator*() && { return std::move(*this).value(); } //!< is the same as `value()`.
   const T* operator->() const { return &value(); } //!< gives access to members of the answer.
 
   //! returns the reason why there is no answer. \pre `!has_value()`
-  const Refusal& refusal() const
+  Refusal refusal() const
   {
     CGAL_precondition_msg(!has_value(), "there is an answer: look at value()");
-    return *m_refusal;
+    return Refusal(m_refusal);
   }
 
 private:
   T m_value;
-  std::shared_ptr<const Refusal> m_refusal;
+  Refusal::Data_pointer m_refusal;
 };
 
 #ifndef DOXYGEN_RUNNING

@@ -12,6 +12,8 @@
 // The values and two derivatives of the basis functions that are not zero at a parameter, and the
 // Bernstein basis by its recursion B_i <- s B_i + t B_{i-1}, s = 1 - t, which needs no division.
 
+#include <CGAL/Shape_interrogation/Number_types/Number_type_traits.h>
+
 #include <array>
 #include <cstddef>
 #include <type_traits>
@@ -29,12 +31,29 @@ constexpr int any_degree = -2;
 template <int Degree>
 using Degree_constant = std::integral_constant<int, Degree>;
 
-// Calls f with the constant that serves both degrees.
+// Calls f, for light numbers as one function into which everything is inlined.
 template <class Function>
-[[gnu::always_inline]] inline auto with_degrees(int m, int n, Function f)
+[[gnu::flatten]] auto call_flattened(Function f)
 {
-  if (m == 3 && n == 3)
-    return f(Degree_constant<3>());
+  return f();
+}
+
+template <class NT, class Function>
+auto call_for(Function f)
+{
+  if constexpr (Number_type_traits<NT>::is_light)
+    return call_flattened(f);
+  else
+    return f();
+}
+
+// Calls f with the constant that serves both degrees. Unrolled code pays for light numbers only.
+template <class NT, class Function>
+auto with_degrees(int m, int n, Function f)
+{
+  if constexpr (Number_type_traits<NT>::is_light)
+    if (m == 3 && n == 3)
+      return f(Degree_constant<3>());
   return m < 8 && n < 8 ? f(Degree_constant<up_to_seven>()) : f(Degree_constant<any_degree>());
 }
 
@@ -63,22 +82,40 @@ private:
   std::array<Row, 3> m_rows;
 };
 
-// y = c x for the first term of a sum, y += c x for the others.
+// c x and y + c x for points x that are given by their first number.
+template <int Dim, class NT>
+std::array<NT, Dim> multiple(const NT& c, const NT* x)
+{
+  std::array<NT, Dim> y;
+  for (int d = 0; d < Dim; ++d)
+    y[d] = c * x[d];
+  return y;
+}
+
 template <class NT, std::size_t Dim>
-[[gnu::always_inline]] inline void add_multiple(bool first, std::array<NT, Dim>& y, const NT& c,
-                                                const NT* x)
+void add_multiple(std::array<NT, Dim>& y, const NT& c, const NT* x)
 {
   for (std::size_t d = 0; d < Dim; ++d)
-    if (first)
-      y[d] = c * x[d];
-    else
-      y[d] += c * x[d];
+    y[d] += c * x[d];
+}
+
+// The sums of a row of points with the basis for the derivatives of orders 0, 1, 2.
+template <int Dim, class NT, int Degree>
+std::array<std::array<NT, Dim>, 3>
+sum_row(const NT* row, const Basis_values<NT, Degree>& b)
+{
+  std::array<std::array<NT, Dim>, 3> sums{
+    multiple<Dim>(b(0, 0), row), multiple<Dim>(b(1, 0), row), multiple<Dim>(b(2, 0), row)};
+  for (int j = 1; j <= b.degree(); ++j)
+    for (int order = 0; order < 3; ++order)
+      add_multiple(sums[order], b(order, j), row + j * Dim);
+  return sums;
 }
 
 // From the functions of degree n - 1 (n of them) to the derivatives of those of degree n:
 // n (b_{i-1} - b_i), where the weight w(i) is n for the Bernstein basis.
 template <class NT, int Degree, class Weight>
-[[gnu::always_inline]] inline void differentiate(Basis_values<NT, Degree>& b, int from, int to,
+void differentiate(Basis_values<NT, Degree>& b, int from, int to,
                                                  int n, Weight weight)
 {
   NT before(0);
@@ -93,7 +130,7 @@ template <class NT, int Degree, class Weight>
 
 // The Bernstein polynomials of the given degree >= 1 at t, valid in any ring and for any t.
 template <int Degree, class NT>
-[[gnu::always_inline]] inline Basis_values<NT, Degree> bernstein_basis(int degree, const NT& t)
+Basis_values<NT, Degree> bernstein_basis(int degree, const NT& t)
 {
   Basis_values<NT, Degree> b(degree);
   const int n = b.degree();

@@ -19,6 +19,8 @@
 #include <CGAL/assertions.h>
 
 #include <array>
+#include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -45,6 +47,21 @@ std::vector<T> in_a_row(const std::vector<std::vector<T>>& rows)
     all.insert(all.end(), row.begin(), row.end());
   }
   return all;
+}
+
+// Why the rows are not `rows` rows of `columns` items each.
+template <class T>
+std::optional<std::string> why_no_grid(const char* items, const std::vector<std::vector<T>>& grid,
+                                       int rows, int columns)
+{
+  if (static_cast<int>(grid.size()) != rows)
+    return "there are " + std::to_string(grid.size()) + " rows of " + items +
+           ", the knots along u need " + std::to_string(rows);
+  for (std::size_t i = 0; i < grid.size(); ++i)
+    if (static_cast<int>(grid[i].size()) != columns)
+      return "row " + std::to_string(i) + " has " + std::to_string(grid[i].size()) + " " + items +
+             ", the knots along v need " + std::to_string(columns);
+  return std::nullopt;
 }
 
 // The point with the given numerators and denominator.

@@ -20,16 +20,18 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <vector>
 
 namespace CGAL {
 namespace Shape_interrogation {
 namespace internal {
 
-using Exact_control = std::vector<Coordinates<Exact_rational, 4>>;
+using Exact_control = std::vector<Exact_homogeneous_point>;
 
-inline Exact_point affine_point(const Coordinates<Exact_rational, 4>& p)
+inline Exact_point affine_point(const Exact_homogeneous_point& p)
 {
   if (CGAL::is_zero(p[3]))
     refuse_mesh(Refusal_code::POLE, "the weight of a patch is zero at a vertex on its boundary");
@@ -58,12 +60,12 @@ public:
   // `first` and `last` are the vertices of the ends.
   Edge_curve(const Exact_control& control, std::size_t first, std::size_t last,
              const Patch_mesh_settings& settings, Vertex_store& store)
-    : m_control(control), m_settings(settings), m_store(store), m_net(make_net(control))
+    : m_settings(settings), m_store(store), m_exact(make_exact(control)), m_net(make_net(control))
   {
-    m_breaks.push_back({0, first, evaluate(0).tangent});
+    const Break begin{0, first, tangent(0), 0};
+    const Break end{parameter_end, last, tangent(parameter_end), 0};
     // Two segments, or four of a closed curve: then no two segments have the same ends.
-    const Break end{parameter_end, last, evaluate(parameter_end).tangent};
-    subdivide(m_breaks.front(), end, first == last ? 2 : 1);
+    subdivide(begin, end, first == last ? 2 : 1);
     m_breaks.push_back(end);
   }
 
@@ -73,18 +75,39 @@ public:
   // The vertex at t. \pre there is one
   std::size_t vertex(std::int32_t t) const { return find(t)->vertex; }
 
+  // How the points of the segment from s to t > s slide along the curve (see triangle_bound.h);
+  // 0 unless it is one segment.
+  double shift(std::int32_t s, std::int32_t t) const
+  {
+    const auto at = find(s);
+    return at->t == s && std::next(at) != m_breaks.end() && std::next(at)->t == t ? at->shift : 0;
+  }
+
+  // The length of the longest segment that ends at the vertex at t.
+  double spacing(std::int32_t t) const
+  {
+    const auto at = find(t);
+    double longest = 0;
+    if (at != m_breaks.begin())
+      longest = distance(m_store[at->vertex], m_store[std::prev(at)->vertex]);
+    if (std::next(at) != m_breaks.end())
+      longest = (std::max)(longest, distance(m_store[at->vertex], m_store[std::next(at)->vertex]));
+    return longest;
+  }
+
 private:
   struct Break
   {
     std::int32_t t;
     std::size_t vertex;
     Double_point tangent;
+    double shift; // of the segment that begins here
   };
-  struct Evaluation
+  static Exact_net make_exact(const Exact_control& control)
   {
-    Exact_point point;
-    Double_point tangent;
-  };
+    return Exact_net(static_cast<int>(control.size()) - 1, 0,
+                     [&](int i, int) -> const auto& { return control[i]; });
+  }
 
   static Interval_net make_net(const Exact_control& control)
   {
@@ -101,41 +124,30 @@ private:
                             [](const Break& b, std::int32_t s) { return b.t < s; });
   }
 
-  // De Casteljau; the last but one step gives the tangent.
-  Evaluation evaluate(std::int32_t at) const
-  {
-    const Exact_rational t = exact_parameter(at), s = 1 - t;
-    Exact_control p = m_control;
-    Exact_point tangent;
-    for (std::size_t left = p.size() - 1; left > 0; --left)
-    {
-      if (left == 1)
-        for (int k = 0; k < 3; ++k)
-          tangent[k] = p[1][k] * p[0][3] - p[0][k] * p[1][3];
-      for (std::size_t i = 0; i < left; ++i)
-        for (int k = 0; k < 4; ++k)
-          p[i][k] = s * p[i][k] + t * p[i + 1][k];
-    }
-    return {affine_point(p[0]), unit_vector(tangent)};
-  }
+  Double_point tangent(std::int32_t t) const { return unit_vector(m_exact.tangent(t)); }
 
-  void subdivide(const Break& a, const Break& b, int least_depth)
+  void subdivide(Break a, const Break& b, int least_depth)
   {
+    a.shift = least_depth > 0 ? 0 : best_shift(a.t, b.t);
     if (least_depth <= 0 && is_fine(a, b))
+    {
+      m_breaks.push_back(a);
       return;
+    }
     if (b.t - a.t < 2)
       refuse_mesh(Refusal_code::LIMIT_EXCEEDED, "an edge of a patch cannot be divided finely enough");
-    const std::int32_t t = a.t + (b.t - a.t) / 2;
-    const Evaluation e = evaluate(t);
-    const Break middle{t, m_store.add(e.point), e.tangent};
-    if (m_store.size() > m_settings.max_vertices)
+    if (m_store.size() >= m_settings.max_vertices)
       refuse_mesh(Refusal_code::LIMIT_EXCEEDED, "the mesh needs more vertices than are allowed");
+    const std::int32_t t = a.t + (b.t - a.t) / 2;
+    const std::optional<Exact_point> point = m_exact.point(t, 0);
+    if (!point)
+      refuse_mesh(Refusal_code::POLE, "the weight of a patch is zero on an edge");
+    const Break middle{t, m_store.add(*point), tangent(t), 0};
     subdivide(a, middle, least_depth - 1);
-    m_breaks.push_back(middle);
     subdivide(middle, b, least_depth - 1);
   }
 
-  // Half of the tolerance is left for the triangles: they come as close to the chord's bound as one
+  // Half of the target is left for the triangles: they come as close to the chord's bound as one
   // likes by dividing their other edges, but not below it.
   bool is_fine(const Break& a, const Break& b) const
   {
@@ -145,15 +157,30 @@ private:
     if (length > m_settings.tolerance && dot(a.tangent, a.tangent) > 0 &&
         dot(b.tangent, b.tangent) > 0 && dot(a.tangent, b.tangent) < m_settings.min_cosine)
       return false;
+    const double s = parameter_value(a.t), t = parameter_value(b.t);
+    const double low = (std::max)(0.0, s - 0.26 * std::abs(a.shift));
+    const double high = (std::min)(1.0, t + 0.26 * std::abs(a.shift));
     const Interval_nt<false>::Protector protector;
     Interval_net net = m_net;
-    net.restrict_to(parameter_value(a.t), parameter_value(b.t), 0, 1);
-    return chord_bound(second_derivatives(net).uu) <= m_settings.face_target / 2;
+    net.restrict_to(low, high, 0, 1);
+    const Mesh_interval width = Mesh_interval(high) - Mesh_interval(low);
+    return chord_bound(enclosed_derivatives(net), (Mesh_interval(t) - Mesh_interval(s)) / width,
+                       Mesh_interval(a.shift) / width) <= m_settings.face_target / 2;
   }
 
-  const Exact_control m_control;
+  double best_shift(std::int32_t from, std::int32_t to) const
+  {
+    const double s = parameter_value(from), t = parameter_value(to);
+    const Interval_nt<false>::Protector protector;
+    Interval_net net = m_net;
+    net.restrict_to(s, t, 0, 1);
+    const double shift = (t - s) * Split_derivatives(enclosed_derivatives(net)).best_shift(0, 1, 1);
+    return std::clamp(shift, -(s + t), 2 - s - t);
+  }
+
   const Patch_mesh_settings& m_settings;
   Vertex_store& m_store;
+  const Exact_net m_exact;
   const Interval_net m_net;
   std::vector<Break> m_breaks;
 };
@@ -170,6 +197,15 @@ struct Patch_side
     return curve ? curve->vertex(along(t)) : collapsed_vertex;
   }
   bool has_vertex(std::int32_t t) const { return curve && curve->has_vertex(along(t)); }
+  double spacing(std::int32_t t) const { return curve ? curve->spacing(along(t)) : 0; }
+  double shift(std::int32_t s, std::int32_t t) const
+  {
+    if (!curve)
+      return 0;
+    const std::int32_t a = along(s), b = along(t);
+    const double along_curve = curve->shift((std::min)(a, b), (std::max)(a, b));
+    return is_reversed ? -along_curve : along_curve;
+  }
 
 private:
   std::int32_t along(std::int32_t t) const { return is_reversed ? parameter_end - t : t; }

@@ -10,7 +10,7 @@
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_INTERVAL_NET_H
 
 // Control nets with interval entries: restriction to a box of parameters by de Casteljau, and an
-// enclosure of the second derivatives there by the convex hull of their Bernstein coefficients.
+// enclosure of the derivatives there by the convex hull of their Bernstein coefficients.
 
 #include <CGAL/Shape_interrogation/Number_types/number_cast.h>
 #include <CGAL/Shape_interrogation/Waist/Symmetric_matrix_3.h>
@@ -28,10 +28,10 @@ namespace internal {
 using Mesh_interval = Interval_nt<false>;
 using Interval_vector = std::array<Mesh_interval, 3>;
 
-// The second derivatives with respect to parameters that run from 0 to 1 in the box.
-struct Second_derivative_box
+// The derivatives with respect to parameters that run from 0 to 1 in the box.
+struct Derivative_box
 {
-  Interval_vector uu{}, uv{}, vv{};
+  Interval_vector u, v, uu, uv, vv;
 };
 
 // A net of (m + 1)(n + 1) homogeneous control points. A curve is a net with n = 0.
@@ -140,39 +140,36 @@ inline void center(Interval_net& net)
 }
 
 // S = A / W by the quotient rule, W S_u = A_u - W_u S and so on. Infinite where W may vanish.
-inline Second_derivative_box rational_second_derivatives(Interval_net net)
+inline Derivative_box rational_derivatives(Interval_net net)
 {
   center(net);
   const auto a = derivative_hull(net, 0, 0), au = derivative_hull(net, 1, 0);
   const auto av = derivative_hull(net, 0, 1), auu = derivative_hull(net, 2, 0);
   const auto auv = derivative_hull(net, 1, 1), avv = derivative_hull(net, 0, 2);
-  Second_derivative_box box;
+  const Mesh_interval w = a[3], two(2);
+  Derivative_box box;
   for (int k = 0; k < 3; ++k)
   {
-    const Mesh_interval s = a[k] / a[3];
-    const Mesh_interval su = (au[k] - au[3] * s) / a[3], sv = (av[k] - av[3] * s) / a[3];
-    box.uu[k] = (auu[k] - Mesh_interval(2) * au[3] * su - auu[3] * s) / a[3];
-    box.uv[k] = (auv[k] - au[3] * sv - av[3] * su - auv[3] * s) / a[3];
-    box.vv[k] = (avv[k] - Mesh_interval(2) * av[3] * sv - avv[3] * s) / a[3];
+    const Mesh_interval s = a[k] / w;
+    const Mesh_interval su = box.u[k] = (au[k] - au[3] * s) / w;
+    const Mesh_interval sv = box.v[k] = (av[k] - av[3] * s) / w;
+    box.uu[k] = (auu[k] - two * au[3] * su - auu[3] * s) / w;
+    box.uv[k] = (auv[k] - au[3] * sv - av[3] * su - auv[3] * s) / w;
+    box.vv[k] = (avv[k] - two * av[3] * sv - avv[3] * s) / w;
   }
   return box;
 }
 
-// Encloses the second derivatives over the whole net.
-inline Second_derivative_box second_derivatives(const Interval_net& net)
+// Encloses the derivatives over the whole net.
+inline Derivative_box enclosed_derivatives(const Interval_net& net)
 {
   if (net.is_rational())
-    return rational_second_derivatives(net);
-  Second_derivative_box box;
-  const auto uu = derivative_hull(net, 2, 0), uv = derivative_hull(net, 1, 1),
-             vv = derivative_hull(net, 0, 2);
-  for (int k = 0; k < 3; ++k)
-  {
-    box.uu[k] = uu[k];
-    box.uv[k] = uv[k];
-    box.vv[k] = vv[k];
-  }
-  return box;
+    return rational_derivatives(net);
+  const auto vector = [&net](int du, int dv) -> Interval_vector {
+    const auto x = derivative_hull(net, du, dv);
+    return {x[0], x[1], x[2]};
+  };
+  return {vector(1, 0), vector(0, 1), vector(2, 0), vector(1, 1), vector(0, 2)};
 }
 
 // Encloses exact homogeneous control points, given by point(i, j).

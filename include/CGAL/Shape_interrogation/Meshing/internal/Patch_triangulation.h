@@ -9,19 +9,17 @@
 #ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_PATCH_TRIANGULATION_H
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_PATCH_TRIANGULATION_H
 
-// Adaptive triangulation of one patch over its parameter square. Edges are marked where they must be
-// divided, and triangles with one, two or three marked edges are replaced by two, three or four: the
-// result is conforming by construction. Edges on the boundary are divided where their curve is.
-// It ends: the bound of a triangle goes to at most half the target when its free edges are divided,
-// and an edge that cannot be divided any more, or one vertex too many, is a refusal.
+// Adaptive triangulation of one patch: which edges must be divided. Edges on the boundary are divided
+// where their curve is; triangles that are not proved to be near the patch get their worst edges
+// marked. It ends: the bound of a triangle goes to at most half the target when its free edges are
+// divided, and an edge that cannot be divided any more, or one vertex too many, is a refusal.
 
-#include <CGAL/Shape_interrogation/Meshing/internal/Patch_vertices.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/Parameter_triangles.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <tuple>
-#include <unordered_map>
 #include <vector>
 
 namespace CGAL {
@@ -31,64 +29,47 @@ namespace internal {
 class Patch_triangulation
 {
 public:
-  struct Triangle
-  {
-    std::array<int, 3> corners; // counterclockwise in the parameter square
-    bool is_settled = false;
-    double bound = 0;
-  };
-  using Edge = Patch_vertices::Edge;
+  using Triangle = Parameter_triangles::Triangle;
 
   Patch_triangulation(const Bezier_surface_3<Exact_rational>& patch, int index,
                       const std::array<Patch_side, 4>& sides, const Patch_mesh_settings& settings,
                       Vertex_store& store)
-    : m_settings(settings), m_net(make_net(patch)), m_vertices(patch, index, sides, settings, store)
-  {
-    const std::int32_t n = parameter_end;
-    const std::array<int, 4> corner{m_vertices.add(0, 0), m_vertices.add(n, 0),
-                                    m_vertices.add(n, n), m_vertices.add(0, n)};
-    const int center = m_vertices.add(n / 2, n / 2);
-    for (int k = 0; k < 4; ++k)
-      m_triangles.push_back({{corner[k], corner[(k + 1) % 4], center}});
-  }
+    : m_settings(settings), m_net(make_net(patch)), m_vertices(patch, index, sides, settings, store),
+      m_triangles(m_vertices)
+  {}
+  Patch_triangulation(const Patch_triangulation&) = delete;
 
   // Divides until every triangle is fine. `go_on()` is called often; false cancels.
   template <class Go_on>
   void refine(Go_on go_on)
   {
-    do
+    std::size_t steps = 0;
+    const auto check = [&] {
+      if (++steps % 256 == 0 && !go_on())
+        refuse_mesh(Refusal_code::CANCELLED, "the meshing was cancelled");
+    };
+    while (true)
     {
-      m_marked.clear();
-      m_midpoints.clear();
-      for (std::size_t i = 0; i < m_triangles.size(); ++i)
-        if (!m_triangles[i].is_settled)
+      for (Triangle& t : m_triangles.all())
+        if (!t.is_settled)
         {
-          check(go_on);
-          inspect(m_triangles[i]);
+          check();
+          inspect(t);
         }
-      if (m_marked.empty())
+      if (!m_triangles.has_marks())
         mark_double_edges();
-      for (const Edge& edge : m_marked)
-      {
-        check(go_on);
-        m_midpoints[key(edge)] = m_vertices.add_midpoint(edge);
-      }
-      divide_triangles();
+      if (!m_triangles.has_marks())
+        return;
+      m_triangles.divide(check);
     }
-    while (!m_marked.empty());
   }
 
-  const Patch_vertices& vertices() const { return m_vertices; }
-  const std::vector<Triangle>& triangles() const { return m_triangles; }
-
-  // Whether two corners are the same vertex: of such a triangle only an edge is left.
-  bool is_flat(const Triangle& t) const
-  {
-    const auto id = [&](int k) { return m_vertices[t.corners[k]].global; };
-    return id(0) == id(1) || id(1) == id(2) || id(2) == id(0);
-  }
+  const std::vector<Patch_vertices::Vertex>& vertices() const { return m_vertices.all(); }
+  const std::vector<Triangle>& triangles() const { return m_triangles.all(); }
 
 private:
+  using Kind = Patch_vertices::Edge_kind;
+
   static Interval_net make_net(const Bezier_surface_3<Exact_rational>& patch)
   {
     const Interval_nt<false>::Protector protector;
@@ -96,181 +77,119 @@ private:
                         [&](int i, int j) { return patch.homogeneous_control_point(i, j); });
   }
 
-  template <class Go_on>
-  void check(Go_on& go_on)
+  // A chord might have the same ends as an edge of another patch.
+  bool must_be_divided(const Parameter_triangles::Edge& e) const
   {
-    if (++m_steps % 256 == 0 && !go_on())
-      refuse_mesh(Refusal_code::CANCELLED, "the meshing was cancelled");
-  }
-
-  static std::uint64_t key(const Edge& e)
-  {
-    return std::uint64_t((std::min)(e[0], e[1])) << 32 | std::uint64_t((std::max)(e[0], e[1]));
-  }
-
-  // Edge k is opposite corner k.
-  static Edge edge(const Triangle& t, int k)
-  {
-    return {t.corners[(k + 1) % 3], t.corners[(k + 2) % 3]};
-  }
-
-  void mark(const Edge& e)
-  {
-    if (m_midpoints.emplace(key(e), -1).second)
-      m_marked.push_back(e);
+    switch (e.kind)
+    {
+      case Kind::CHORD: return true;
+      case Kind::BOUNDARY: return m_vertices.is_boundary_divided(e.ends);
+      case Kind::INNER: return e.length > m_settings.max_edge_length || m_vertices.is_bent(e.ends);
+      default: return false;
+    }
   }
 
   // Marks the edges of a triangle that must be divided, or settles it.
   void inspect(Triangle& t)
   {
-    using Kind = Patch_vertices::Edge_kind;
     bool is_divided = false;
-    std::array<bool, 3> is_free;
-    for (int k = 0; k < 3; ++k)
-    {
-      const Edge e = edge(t, k);
-      const Kind kind = m_vertices.kind(e);
-      is_free[k] = kind != Kind::BOUNDARY;
-      // A chord might have the same ends as an edge of another patch.
-      if (kind == Kind::CHORD || (kind == Kind::BOUNDARY && m_vertices.is_boundary_divided(e)) ||
-          (kind == Kind::INNER && m_vertices.is_too_long_or_bent(e)))
+    for (const int e : t.edges)
+      if (must_be_divided(m_triangles.edge(e)))
       {
-        mark(e);
+        m_triangles.mark(e);
         is_divided = true;
       }
-    }
     if (is_divided)
       return;
     const Triangle_bound bound = bound_of(t);
     t.bound = bound.face;
     t.is_settled = bound.face <= m_settings.face_target;
     if (!t.is_settled)
-      mark_worst(t, bound, is_free);
+      mark_worst(t, bound);
   }
 
   // The edges that contribute most, but not those whose curve is fine.
-  void mark_worst(const Triangle& t, const Triangle_bound& bound, const std::array<bool, 3>& is_free)
+  void mark_worst(const Triangle& t, const Triangle_bound& bound)
   {
     double most = 0;
     for (int k = 0; k < 3; ++k)
-      if (is_free[k])
+      if (m_triangles.is_free(t.edges[k]))
         most = (std::max)(most, bound.edge[k]);
     for (int k = 0; k < 3; ++k)
-      if (is_free[k] && bound.edge[k] >= 0.6 * most)
-        mark(edge(t, k));
+      if (m_triangles.is_free(t.edges[k]) && bound.edge[k] >= 0.6 * most)
+        m_triangles.mark(t.edges[k]);
   }
 
   Triangle_bound bound_of(const Triangle& t) const
   {
-    std::array<std::int32_t, 2> low{parameter_end, parameter_end}, high{0, 0};
-    for (const int c : t.corners)
-    {
-      const std::array<std::int32_t, 2> uv{m_vertices[c].u, m_vertices[c].v};
-      for (int d = 0; d < 2; ++d)
-      {
-        low[d] = (std::min)(low[d], uv[d]);
-        high[d] = (std::max)(high[d], uv[d]);
-      }
-    }
-    const Interval_nt<false>::Protector protector;
-    std::array<std::array<Mesh_interval, 2>, 3> corners;
+    std::array<std::array<double, 2>, 3> corners, shifts;
+    int pole = -1; // the corner that is one
     for (int k = 0; k < 3; ++k)
     {
       const Patch_vertices::Vertex& v = m_vertices[t.corners[k]];
-      corners[k] = {Mesh_interval(v.u - low[0]) / Mesh_interval(high[0] - low[0]),
-                    Mesh_interval(v.v - low[1]) / Mesh_interval(high[1] - low[1])};
+      corners[k] = {parameter_value(v.uv[0]), parameter_value(v.uv[1])};
+      shifts[k] = m_triangles.edge(t.edges[k]).shift;
+      pole = v.pole >= 0 ? k : pole;
+    }
+    const int axis = pole >= 0 ? m_vertices[t.corners[pole]].pole / 2 : 0; // from the pole inward
+    if (pole >= 0)
+    {
+      corners[pole][1 - axis] = corners[(pole + 1) % 3][1 - axis];
+      shifts[(pole + 1) % 3] = shifts[(pole + 2) % 3] = {0, 0};
+    }
+    // A box that contains the triangle and all shifted points, of which each is at most a third of
+    // the longest shift away.
+    std::array<double, 2> low, high;
+    for (int d = 0; d < 2; ++d)
+    {
+      const auto [least, most] = std::minmax({corners[0][d], corners[1][d], corners[2][d]});
+      const double shift = (std::max)({std::abs(shifts[0][d]), std::abs(shifts[1][d]),
+                                       std::abs(shifts[2][d])});
+      low[d] = (std::max)(0.0, least - 0.34 * shift);
+      high[d] = (std::min)(1.0, most + 0.34 * shift);
+    }
+    const Interval_nt<false>::Protector protector;
+    std::array<Interval_pair, 3> corners_in_box, shifts_in_box;
+    for (int d = 0; d < 2; ++d)
+    {
+      const Mesh_interval from(low[d]), width = Mesh_interval(high[d]) - from;
+      for (int k = 0; k < 3; ++k)
+      {
+        corners_in_box[k][d] = (Mesh_interval(corners[k][d]) - from) / width;
+        shifts_in_box[k][d] = Mesh_interval(shifts[k][d]) / width;
+      }
     }
     Interval_net net = m_net;
-    net.restrict_to(parameter_value(low[0]), parameter_value(high[0]), parameter_value(low[1]),
-                    parameter_value(high[1]));
-    return triangle_bound(second_derivatives(net), corners);
+    net.restrict_to(low[0], high[0], low[1], high[1]);
+    const Derivative_box box = enclosed_derivatives(net);
+    return pole < 0 ? triangle_bound(box, corners_in_box, shifts_in_box)
+                    : fan_bound(box, corners_in_box, shifts_in_box[pole], pole, axis);
   }
 
   // Two different edges with the same ends, as on a narrow closed patch, do not fit a mesh.
   void mark_double_edges()
   {
-    using Directed = std::tuple<std::size_t, std::size_t, Edge>;
+    using Directed = std::tuple<std::size_t, std::size_t, int>;
     std::vector<Directed> edges;
-    for (const Triangle& t : m_triangles)
-      for (int k = 0; k < 3 && !is_flat(t); ++k)
-      {
-        const Edge e = edge(t, k);
-        if (m_vertices.kind(e) != Patch_vertices::Edge_kind::BOUNDARY)
-          edges.emplace_back(m_vertices[e[0]].global, m_vertices[e[1]].global, e);
-      }
+    for (const Triangle& t : m_triangles.all())
+      for (int k = 0; k < 3; ++k)
+        if (m_triangles.is_free(t.edges[k]))
+          edges.emplace_back(m_vertices[t.corners[(k + 1) % 3]].global,
+                             m_vertices[t.corners[(k + 2) % 3]].global, t.edges[k]);
     std::sort(edges.begin(), edges.end());
     for (std::size_t i = 1; i < edges.size(); ++i)
       if (std::get<0>(edges[i]) == std::get<0>(edges[i - 1]) &&
           std::get<1>(edges[i]) == std::get<1>(edges[i - 1]))
       {
-        mark(std::get<2>(edges[i - 1]));
-        mark(std::get<2>(edges[i]));
+        m_triangles.mark(std::get<2>(edges[i - 1]));
+        m_triangles.mark(std::get<2>(edges[i]));
       }
-  }
-
-  void divide_triangles()
-  {
-    std::vector<Triangle> divided;
-    for (const Triangle& t : m_triangles)
-    {
-      std::array<int, 3> middle;
-      int count = 0;
-      for (int k = 0; k < 3; ++k)
-      {
-        const auto found = m_midpoints.find(key(edge(t, k)));
-        middle[k] = found == m_midpoints.end() ? -1 : found->second;
-        count += middle[k] >= 0;
-      }
-      if (count == 0)
-        divided.push_back(t);
-      else
-        divide(t, middle, count, divided);
-    }
-    m_triangles.swap(divided);
-  }
-
-  // `middle[k]` is the vertex on the edge k, or -1.
-  void divide(const Triangle& t, const std::array<int, 3>& middle, int count,
-              std::vector<Triangle>& to) const
-  {
-    // Rotate: of one, the divided edge is edge 0; of two, the undivided one is.
-    int k = 0;
-    while (count < 3 && (middle[k] >= 0) != (count == 1))
-      ++k;
-    const int a = t.corners[k], b = t.corners[(k + 1) % 3], c = t.corners[(k + 2) % 3];
-    const int p = middle[k], q = middle[(k + 1) % 3], r = middle[(k + 2) % 3];
-    if (count == 1)
-    {
-      to.push_back({{a, b, p}});
-      to.push_back({{a, p, c}});
-      return;
-    }
-    to.push_back({{a, r, q}});
-    if (count == 3)
-    {
-      to.push_back({{r, b, p}});
-      to.push_back({{p, c, q}});
-      to.push_back({{p, q, r}});
-    }
-    else if (m_vertices.length({r, c}) < m_vertices.length({b, q}))
-    {
-      to.push_back({{r, b, c}});
-      to.push_back({{r, c, q}});
-    }
-    else
-    {
-      to.push_back({{r, b, q}});
-      to.push_back({{b, c, q}});
-    }
   }
 
   const Patch_mesh_settings& m_settings;
   const Interval_net m_net;
   Patch_vertices m_vertices;
-  std::vector<Triangle> m_triangles;
-  std::vector<Edge> m_marked;
-  std::unordered_map<std::uint64_t, int> m_midpoints; // -1 until the vertex is there
-  std::size_t m_steps = 0;
+  Parameter_triangles m_triangles;
 };
 
 } // namespace internal

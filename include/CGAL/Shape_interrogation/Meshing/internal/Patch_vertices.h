@@ -10,13 +10,15 @@
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_PATCH_VERTICES_H
 
 // The vertices of the triangulation of one patch: dyadic parameters, the vertex of the mesh that each
-// stands for, and what is known about an edge between two of them.
+// stands for, and what is known about an edge between two of them. A side that is collapsed to a
+// point has one vertex, a pole; an edge from it leaves the side at right angles.
 
 #include <CGAL/Shape_interrogation/Meshing/internal/Edge_curves.h>
 
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,79 +31,100 @@ class Patch_vertices
 public:
   struct Vertex
   {
-    std::int32_t u, v;
-    int sides;           // bit k: on the side k of the parameter square
-    std::size_t global;  // the vertex of the mesh
-    Double_point normal; // of length 1, or 0 where it is not known
+    std::array<std::int32_t, 2> uv; // of a pole, the one along its side means nothing
+    int sides;                      // bit k: on the side k of the square
+    int pole;                       // the side that is this vertex, or -1
+    std::size_t global;             // the vertex of the mesh
+    Double_point normal;            // of length 1, or 0 where it is not known
+    double spacing;                 // length of the longest boundary edge here, or 0
   };
   using Edge = std::array<int, 2>;
   enum class Edge_kind
   {
     INNER,
-    CHORD,     // not on a side, but both ends are
-    COLLAPSED, // on a side that is a single point
-    BOUNDARY   // on a side with a curve
+    CHORD,   // not on a side, but both ends are
+    BOUNDARY // on a side with a curve
   };
 
+  // The sides in the order of Patch_edge. No two that meet may be collapsed.
   Patch_vertices(const Bezier_surface_3<Exact_rational>& patch, int index,
                  const std::array<Patch_side, 4>& sides, const Patch_mesh_settings& settings,
                  Vertex_store& store)
-    : m_patch(patch), m_double_patch(patch.cast<double>()), m_index(index), m_sides(sides),
-      m_settings(settings), m_store(store)
+    : m_exact(patch.degree_u(), patch.degree_v(),
+              [&](int i, int j) { return patch.homogeneous_control_point(i, j); }),
+      m_double_patch(patch.cast<double>()), m_index(index), m_sides(sides), m_settings(settings),
+      m_store(store)
   {}
 
   const Vertex& operator[](int i) const { return m_vertices[i]; }
   const std::vector<Vertex>& all() const { return m_vertices; }
+  bool is_collapsed(int side) const { return m_sides[side].curve == nullptr; }
 
-  int add(std::int32_t u, std::int32_t v)
+  int add(const std::array<std::int32_t, 2>& uv)
   {
     if (m_store.size() >= m_settings.max_vertices)
       refuse_mesh(Refusal_code::LIMIT_EXCEEDED,
-                  "the mesh needs more vertices than are allowed, in " + place(u, v));
-    Vertex vertex{u, v, 0, 0, normal(u, v)};
-    const std::array<bool, 4> on{u == 0, u == parameter_end, v == 0, v == parameter_end};
+                  "the mesh needs more vertices than are allowed, in " + place(uv));
+    Vertex vertex{uv, 0, -1, 0, normal(uv), 0};
     for (int k = 0; k < 4; ++k)
-      vertex.sides |= on[k] ? 1 << k : 0;
+      if (uv[k / 2] == (k % 2 == 0 ? 0 : parameter_end))
+      {
+        vertex.sides |= 1 << k;
+        vertex.spacing = (std::max)(vertex.spacing, m_sides[k].spacing(uv[1 - k / 2]));
+      }
     const int side = first_side(vertex.sides);
-    vertex.global = side < 4 ? m_sides[side].vertex(side < 2 ? v : u) : add_inner_point(u, v);
+    vertex.global = side < 4 ? m_sides[side].vertex(uv[1 - side / 2]) : add_inner_point(uv);
     m_vertices.push_back(vertex);
+    return static_cast<int>(m_vertices.size()) - 1;
+  }
+
+  int add_pole(int side)
+  {
+    const int neighbours = side < 2 ? 4 | 8 : 1 | 2;
+    std::array<std::int32_t, 2> uv{0, 0};
+    uv[side / 2] = side % 2 == 0 ? 0 : parameter_end;
+    m_vertices.push_back({uv, 1 << side | neighbours, side, m_sides[side].collapsed_vertex, {},
+                          0});
     return static_cast<int>(m_vertices.size()) - 1;
   }
 
   int add_midpoint(const Edge& edge)
   {
-    const Vertex &a = m_vertices[edge[0]], &b = m_vertices[edge[1]];
-    const std::int32_t u = a.u + b.u, v = a.v + b.v;
-    if (u % 2 != 0 || v % 2 != 0)
-      refuse_mesh(Refusal_code::LIMIT_EXCEEDED,
-                  "the triangles cannot be made small enough in " + place(a.u, a.v));
-    return add(u / 2, v / 2);
+    std::array<std::int32_t, 2> uv;
+    for (int d = 0; d < 2; ++d)
+    {
+      const std::int32_t sum = end(edge, 0)[d] + end(edge, 1)[d];
+      if (sum % 2 != 0)
+        refuse_mesh(Refusal_code::LIMIT_EXCEEDED,
+                    "the triangles cannot be made small enough in " + place(end(edge, 0)));
+      uv[d] = sum / 2;
+    }
+    return add(uv);
   }
 
   Edge_kind kind(const Edge& edge) const
   {
     const int a = m_vertices[edge[0]].sides, b = m_vertices[edge[1]].sides;
     if ((a & b) != 0)
-      return m_sides[first_side(a & b)].curve ? Edge_kind::BOUNDARY : Edge_kind::COLLAPSED;
+      return Edge_kind::BOUNDARY;
     return a != 0 && b != 0 ? Edge_kind::CHORD : Edge_kind::INNER;
   }
 
   // Whether the curve of a boundary edge has a vertex in the middle.
   bool is_boundary_divided(const Edge& edge) const
   {
-    const Vertex &a = m_vertices[edge[0]], &b = m_vertices[edge[1]];
-    const int side = first_side(a.sides & b.sides);
-    const std::int32_t sum = side < 2 ? a.v + b.v : a.u + b.u;
+    const int side = side_of(edge), along = 1 - side / 2;
+    const std::int32_t sum = end(edge, 0)[along] + end(edge, 1)[along];
     return sum % 2 == 0 && m_sides[side].has_vertex(sum / 2);
   }
 
-  bool is_too_long_or_bent(const Edge& edge) const
+  // Whether the normals at the ends differ too much, on an edge worth dividing for that: between
+  // points of the boundary that are fixed it would not help to come ever nearer to it.
+  bool is_bent(const Edge& edge) const
   {
     const Vertex &a = m_vertices[edge[0]], &b = m_vertices[edge[1]];
-    const double d = length(edge);
-    if (d > m_settings.max_edge_length)
-      return true;
-    return d > m_settings.tolerance && dot(a.normal, a.normal) > 0 && dot(b.normal, b.normal) > 0 &&
+    return length(edge) > (std::max)({m_settings.tolerance, a.spacing, b.spacing}) &&
+           dot(a.normal, a.normal) > 0 && dot(b.normal, b.normal) > 0 &&
            dot(a.normal, b.normal) < m_settings.min_cosine;
   }
 
@@ -110,7 +133,42 @@ public:
     return distance(m_store[m_vertices[edge[0]].global], m_store[m_vertices[edge[1]].global]);
   }
 
+  // How points slide along the patch where they are compared with the edge (see triangle_bound.h).
+  // It is bounded so that x_i + x_j + shift_ij stays in [0, 2] for both parameters: then
+  // sum l_i x_i + sum l_i l_j shift_ij is in the square for every triangle. Sides slide in
+  // themselves. Points of the square slide continuously, so that they cover it again.
+  std::array<double, 2> shift(const Edge& edge) const
+  {
+    const std::array<std::int32_t, 2> a = end(edge, 0), b = end(edge, 1);
+    const Edge_kind of_edge = kind(edge);
+    std::array<double, 2> c{0, 0};
+    if (of_edge == Edge_kind::BOUNDARY)
+    {
+      const int side = side_of(edge), along = 1 - side / 2;
+      c[along] = m_sides[side].shift(a[along], b[along]);
+    }
+    else if (of_edge == Edge_kind::INNER)
+    {
+      const std::array<double, 2> p{parameter_value(a[0]), parameter_value(a[1])};
+      const std::array<double, 2> q{parameter_value(b[0]), parameter_value(b[1])};
+      c = tangential_shift({(p[0] + q[0]) / 2, (p[1] + q[1]) / 2}, q[0] - p[0], q[1] - p[1]);
+      for (int d = 0; d < 2; ++d)
+        c[d] = std::clamp(c[d], -(p[d] + q[d]), 2 - (p[d] + q[d]));
+    }
+    return c;
+  }
+
 private:
+  // An end of an edge; a pole is where the other end's parameter line meets its side.
+  std::array<std::int32_t, 2> end(const Edge& edge, int i) const
+  {
+    const Vertex &v = m_vertices[edge[i]], &other = m_vertices[edge[1 - i]];
+    std::array<std::int32_t, 2> uv = v.uv;
+    if (v.pole >= 0)
+      uv[1 - v.pole / 2] = other.uv[1 - v.pole / 2];
+    return uv;
+  }
+
   // 4 if there is none.
   static int first_side(int sides)
   {
@@ -120,28 +178,50 @@ private:
     return k;
   }
 
-  std::string place(std::int32_t u, std::int32_t v) const
+  int side_of(const Edge& edge) const
   {
-    return "patch " + std::to_string(m_index) + " near (u, v) = (" +
-           std::to_string(parameter_value(u)) + ", " + std::to_string(parameter_value(v)) + ")";
+    return first_side(m_vertices[edge[0]].sides & m_vertices[edge[1]].sides);
   }
 
-  std::size_t add_inner_point(std::int32_t u, std::int32_t v)
+  std::string place(const std::array<std::int32_t, 2>& uv) const
   {
-    const auto point = m_patch.point({exact_parameter(u), exact_parameter(v)});
+    return "patch " + std::to_string(m_index) + " near (u, v) = (" +
+           std::to_string(parameter_value(uv[0])) + ", " + std::to_string(parameter_value(uv[1])) +
+           ")";
+  }
+
+  std::size_t add_inner_point(const std::array<std::int32_t, 2>& uv)
+  {
+    const std::optional<Exact_point> point = m_exact.point(uv[0], uv[1]);
     if (!point)
-      refuse_mesh(point.refusal().code(), point.refusal().evidence() + " in " + place(u, v));
+      refuse_mesh(Refusal_code::POLE, "the weight is zero in " + place(uv));
     return m_store.add(*point);
   }
 
   // Serves the choice of edges only: nothing is claimed of it.
-  Double_point normal(std::int32_t u, std::int32_t v) const
+  Double_point normal(const std::array<std::int32_t, 2>& uv) const
   {
-    const auto d = m_double_patch.derivatives({parameter_value(u), parameter_value(v)});
+    const auto d = m_double_patch.derivatives({parameter_value(uv[0]), parameter_value(uv[1])});
     return d ? unit_vector(cross(d->u, d->v)) : Double_point{0, 0, 0};
   }
 
-  const Bezier_surface_3<Exact_rational>& m_patch;
+  // The vector c for which S_u c_u + S_v c_v is nearest to half the second derivative along (du, dv).
+  std::array<double, 2> tangential_shift(const std::array<double, 2>& uv, double du, double dv) const
+  {
+    const auto d = m_double_patch.derivatives(uv);
+    if (!d)
+      return {0, 0};
+    Double_point h;
+    for (int k = 0; k < 3; ++k)
+      h[k] = (d->uu[k] * du * du + 2 * d->uv[k] * du * dv + d->vv[k] * dv * dv) / 2;
+    const double e = dot(d->u, d->u), f = dot(d->u, d->v), g = dot(d->v, d->v);
+    const double hu = dot(h, d->u), hv = dot(h, d->v), determinant = e * g - f * f;
+    const double cu = (hu * g - hv * f) / determinant, cv = (hv * e - hu * f) / determinant;
+    return std::isfinite(cu) && std::isfinite(cv) ? std::array<double, 2>{cu, cv}
+                                                  : std::array<double, 2>{0, 0};
+  }
+
+  const Exact_net m_exact;
   const Bezier_surface_3<double> m_double_patch;
   const int m_index;
   const std::array<Patch_side, 4> m_sides;

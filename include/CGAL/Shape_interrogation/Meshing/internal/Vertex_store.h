@@ -11,16 +11,14 @@
 
 // Vertices of a mesh of patches: exact points of the patches, rounded to the nearest doubles.
 
+#include <CGAL/Shape_interrogation/Meshing/internal/Exact_net.h>
 #include <CGAL/Shape_interrogation/Number_types/number_cast.h>
-#include <CGAL/Shape_interrogation/Waist/Symmetric_matrix_3.h>
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
-#include <limits>
 #include <cmath>
-#include <cstdint>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -28,17 +26,6 @@ namespace CGAL {
 namespace Shape_interrogation {
 namespace internal {
 
-// Parameters are dyadic: integers over this number.
-constexpr std::int32_t parameter_end = std::int32_t(1) << 29;
-
-inline double parameter_value(std::int32_t t) { return double(t) / double(parameter_end); }
-
-inline Exact_rational exact_parameter(std::int32_t t)
-{
-  return Exact_rational(t) / Exact_rational(parameter_end);
-}
-
-using Exact_point = Coordinates<Exact_rational, 3>;
 using Double_point = Coordinates<double, 3>;
 
 class Vertex_store

@@ -30,7 +30,7 @@ class Magnitude
 public:
   [[gnu::always_inline]] Magnitude() : m_v(0), m_m(floor_()), m_k(0) {}
   [[gnu::always_inline]] Magnitude(int v) : Magnitude(static_cast<double>(v)) {}
-  [[gnu::always_inline]] Magnitude(double v) : m_v(v), m_m(std::fabs(v) + floor_()), m_k(1) {}
+  [[gnu::always_inline]] Magnitude(double v) : m_v(v), m_m(std::fabs(v) + floor_()), m_k(0) {}
 
   double value() const { return m_v; }
 
@@ -38,7 +38,7 @@ public:
   // many of m itself. The factor 4 covers both as long as k u is small; beyond, nothing is certified.
   double error() const
   {
-    return m_k < 1e6 ? m_k * (4 * unit()) * m_m : HUGE_VAL;
+    return m_k < cap ? m_k * (4 * unit()) * m_m : HUGE_VAL;
   }
 
   [[gnu::always_inline]] friend Magnitude operator-(const Magnitude& a)
@@ -48,16 +48,16 @@ public:
   [[gnu::always_inline]] friend Magnitude operator+(const Magnitude& a) { return a; }
   [[gnu::always_inline]] friend Magnitude operator+(const Magnitude& a, const Magnitude& b)
   {
-    return Magnitude(a.m_v + b.m_v, a.m_m + b.m_m, longest(a.m_k, b.m_k) + 1);
+    return rounded_sum(a.m_v + b.m_v, a, b);
   }
   [[gnu::always_inline]] friend Magnitude operator-(const Magnitude& a, const Magnitude& b)
   {
-    return Magnitude(a.m_v - b.m_v, a.m_m + b.m_m, longest(a.m_k, b.m_k) + 1);
+    return rounded_sum(a.m_v - b.m_v, a, b);
   }
   [[gnu::always_inline]] friend Magnitude operator*(const Magnitude& a, const Magnitude& b)
   {
     // The floor keeps m above the underflow threshold, where u m still covers a lost product.
-    return Magnitude(a.m_v * b.m_v, a.m_m * b.m_m + floor_(), a.m_k + b.m_k + 1);
+    return Magnitude(a.m_v * b.m_v, a.m_m * b.m_m + floor_(), capped(a.m_k + b.m_k + 1));
   }
   // With |B| >= beta > 0: |a/b - A/B| <= (ka u ma + |a/b| kb u mb) / beta, and a last rounding.
   friend Magnitude operator/(const Magnitude& a, const Magnitude& b)
@@ -65,7 +65,7 @@ public:
     const double v = a.m_v / b.m_v;
     const double beta = (std::fabs(b.m_v) - b.error()) * (1 - 4 * unit());
     const double m = beta > 0 ? (a.m_m + std::fabs(v) * b.m_m) / beta + floor_() : HUGE_VAL;
-    return Magnitude(v, m, longest(a.m_k, b.m_k) + 4);
+    return Magnitude(v, m, capped(longest(a.m_k, b.m_k) + 4));
   }
   [[gnu::always_inline]] Magnitude& operator+=(const Magnitude& b) { return *this = *this + b; }
   [[gnu::always_inline]] Magnitude& operator-=(const Magnitude& b) { return *this = *this - b; }
@@ -78,14 +78,25 @@ public:
   }
 
 private:
-  [[gnu::always_inline]] Magnitude(double v, double m, double k) : m_v(v), m_m(m), m_k(k) {}
+  [[gnu::always_inline]] Magnitude(double v, double m, int k) : m_v(v), m_m(m), m_k(k) {}
 
   static constexpr double unit() { return 1.1102230246251565e-16; }  // 2^-53
   static constexpr double floor_() { return 1e-270; } // u times it is above the smallest double
-  [[gnu::always_inline]] static double longest(double a, double b) { return a > b ? a : b; }
+  // A sum of two exact numbers has one rounding, of its own size: 1 - t is small near t = 1.
+  [[gnu::always_inline]] static Magnitude rounded_sum(double v, const Magnitude& a,
+                                                      const Magnitude& b)
+  {
+    const int k = longest(a.m_k, b.m_k);
+    return Magnitude(v, k == 0 ? std::fabs(v) + floor_() : a.m_m + b.m_m, capped(k + 1));
+  }
+
+  // Saturates. Where everything is inlined, counts are compile-time constants.
+  static constexpr int cap = 1 << 20;
+  [[gnu::always_inline]] static int capped(int k) { return k < cap ? k : cap; }
+  [[gnu::always_inline]] static int longest(int a, int b) { return a > b ? a : b; }
 
   double m_v, m_m;
-  double m_k;
+  int m_k;
 };
 
 } // namespace internal

@@ -27,26 +27,26 @@ struct Tensor_derivatives
   Coordinates<NT, Dim> s, u, v, uu, uv, vv;
 };
 
-// Sums the control points, `stride` numbers from row to row, over both bases: each row along v for
-// the three orders, then these sums along u.
+// Sums the control points, `stride` numbers from row to row, over both bases.
 template <int Dim, class NT, int DegreeU, int DegreeV>
-[[gnu::always_inline]] inline Tensor_derivatives<NT, Dim>
+Tensor_derivatives<NT, Dim>
 tensor_derivatives(const NT* net, int stride, const Basis_values<NT, DegreeU>& bu,
                    const Basis_values<NT, DegreeV>& bv)
 {
-  Tensor_derivatives<NT, Dim> t;
-  for (int i = 0; i <= bu.degree(); ++i)
+  const auto first = sum_row<Dim>(net, bv);
+  Tensor_derivatives<NT, Dim> t{
+    multiple<Dim>(bu(0, 0), first[0].data()), multiple<Dim>(bu(1, 0), first[0].data()),
+    multiple<Dim>(bu(0, 0), first[1].data()), multiple<Dim>(bu(2, 0), first[0].data()),
+    multiple<Dim>(bu(1, 0), first[1].data()), multiple<Dim>(bu(0, 0), first[2].data())};
+  for (int i = 1; i <= bu.degree(); ++i)
   {
-    std::array<Coordinates<NT, Dim>, 3> row;
-    for (int j = 0; j <= bv.degree(); ++j)
-      for (int order = 0; order < 3; ++order)
-        add_multiple(j == 0, row[order], bv(order, j), net + i * stride + j * Dim);
-    add_multiple(i == 0, t.s, bu(0, i), row[0].data());
-    add_multiple(i == 0, t.u, bu(1, i), row[0].data());
-    add_multiple(i == 0, t.uu, bu(2, i), row[0].data());
-    add_multiple(i == 0, t.v, bu(0, i), row[1].data());
-    add_multiple(i == 0, t.uv, bu(1, i), row[1].data());
-    add_multiple(i == 0, t.vv, bu(0, i), row[2].data());
+    const auto row = sum_row<Dim>(net + i * stride, bv);
+    add_multiple(t.s, bu(0, i), row[0].data());
+    add_multiple(t.u, bu(1, i), row[0].data());
+    add_multiple(t.v, bu(0, i), row[1].data());
+    add_multiple(t.uu, bu(2, i), row[0].data());
+    add_multiple(t.uv, bu(1, i), row[1].data());
+    add_multiple(t.vv, bu(0, i), row[2].data());
   }
   return t;
 }

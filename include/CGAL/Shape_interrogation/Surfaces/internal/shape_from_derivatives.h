@@ -40,9 +40,11 @@ template <class NT>
 Result<Local_shape_3<NT>> shape_from_derivatives(const Surface_derivatives_3<NT>& d)
 {
   const Coordinates<NT, 3> n = cross(d.u, d.v);
-  const auto s = Local_shape_3<NT>::from_frame(d.s, d.u, d.v, -dot(n, d.uu), -dot(n, d.uv),
-                                               -dot(n, d.vv));
-  if (auto refusal = refuse_zero(s.normal_squared_length(),
+  Result<Local_shape_3<NT>> s(std::in_place, [&] {
+    return Local_shape_3<NT>::from_frame(d.s, d.u, d.v, -dot(n, d.uu), -dot(n, d.uv),
+                                         -dot(n, d.vv));
+  });
+  if (auto refusal = refuse_zero(s->normal_squared_length(),
                                  Refusal_code::IRREGULAR_PARAMETRISATION,
                                  "the squared length of S_u x S_v"))
     return *refusal;

@@ -1,0 +1,21 @@
+// Copyright (c) 2026 The Shape_interrogation authors.
+// All rights reserved.
+//
+// This file is part of Shape_interrogation, a package in the style of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+
+// Answers in floating point, without a claim.
+
+#include "answer_in.h"
+
+namespace interrogate {
+
+template si::Result<std::vector<Surface_answer>> answer<double>(const Surface_model&,
+                                                           const Curvature_task&);
+template si::Result<std::vector<Curve_answer>> answer<double>(const Curve_model&,
+                                                         const Curvature_task&);
+template si::Result<std::vector<Surface_answer>> answer<double>(const Shape_operator_task&);
+
+} // namespace interrogate

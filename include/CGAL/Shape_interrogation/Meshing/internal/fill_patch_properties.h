@@ -1,0 +1,127 @@
+// Copyright (c) 2026 The Shape_interrogation authors.
+// All rights reserved.
+//
+// This file is part of Shape_interrogation, a package in the style of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+
+#ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_FILL_PATCH_PROPERTIES_H
+#define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_FILL_PATCH_PROPERTIES_H
+
+// The properties of the vertices of a mesh of patches, each computed from a patch at its parameters.
+
+#include <CGAL/Shape_interrogation/Meshing/Shape_mesh.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/Vertex_shape.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/Vertex_store.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/limit_normal.h>
+
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_interrogation {
+namespace internal {
+
+// A point of a patch, in dyadic parameters.
+struct Patch_place
+{
+  int patch;
+  std::int32_t u, v;
+};
+
+// One patch in the number types of the evaluation.
+class Patch_evaluator
+{
+public:
+  explicit Patch_evaluator(const Bezier_surface_3<Exact_rational>& patch)
+    : m_exact(patch), m_enclosure(enclose(patch))
+  {}
+
+  Result<Vertex_shape> operator()(std::int32_t u, std::int32_t v) const
+  {
+    using Interval = Interval_nt<false>;
+    return vertex_shape(
+      [&] { return m_enclosure({Interval(parameter_value(u)), Interval(parameter_value(v))}); },
+      [&] { return m_exact({exact_parameter(u), exact_parameter(v)}); });
+  }
+
+private:
+  static Bezier_surface_3<Interval_nt<false>> enclose(const Bezier_surface_3<Exact_rational>& patch)
+  {
+    const Interval_nt<false>::Protector protector;
+    return patch.cast<Interval_nt<false>>();
+  }
+
+  const Bezier_surface_3<Exact_rational>& m_exact;
+  const Bezier_surface_3<Interval_nt<false>> m_enclosure;
+};
+
+// Limits of the normal at vertices where edges of patches are collapsed: none where two patches
+// disagree or one has no limit.
+using Limit_normals = std::map<std::size_t, std::optional<Exact_vector>>;
+
+inline void add_limit_normal(Limit_normals& limits, std::size_t vertex,
+                             const std::optional<Exact_vector>& n)
+{
+  const auto added = limits.emplace(vertex, n);
+  std::optional<Exact_vector>& known = added.first->second;
+  if (!added.second && known && !(n && is_same_direction(*known, *n)))
+    known.reset();
+}
+
+inline Shape_mesh::Vector_3 kernel_vector(const Coordinates<double, 3>& v)
+{
+  return Shape_mesh::Vector_3(v[0], v[1], v[2]);
+}
+
+inline void set_shape(Shape_property_maps& maps, Shape_property_maps::Vertex v,
+                      const Vertex_shape& s)
+{
+  maps.normal[v] = kernel_vector(s.normal);
+  maps.gaussian_curvature[v] = s.gaussian_curvature;
+  maps.mean_curvature[v] = s.mean_curvature;
+  maps.kmin[v] = s.kmin;
+  maps.kmax[v] = s.kmax;
+  maps.direction_min[v] = kernel_vector(s.direction_min);
+  maps.direction_max[v] = kernel_vector(s.direction_max);
+  maps.regular[v] = true;
+}
+
+// Fills the properties of one vertex from the first of its places that is regular. Returns the
+// refusal of the first place if none is.
+inline std::optional<Refused_place> fill_vertex(Shape_property_maps& maps, Patch_property_maps& where,
+                                                Shape_property_maps::Vertex v,
+                                                const Shape_mesh::Point_3& point,
+                                                const std::vector<Patch_evaluator>& patches,
+                                                const std::vector<Patch_place>& places)
+{
+  std::optional<Refused_place> refused;
+  for (const Patch_place& place : places)
+  {
+    const Result<Vertex_shape> shape = patches[place.patch](place.u, place.v);
+    const double u = parameter_value(place.u), t = parameter_value(place.v);
+    if (shape || !refused)
+    {
+      where.vertex_patch[v] = place.patch;
+      where.parameter[v] = Shape_mesh::Point_2(u, t);
+    }
+    if (shape)
+    {
+      set_shape(maps, v, *shape);
+      return std::nullopt;
+    }
+    if (!refused)
+      refused = Refused_place{v.idx(), place.patch, {u, t}, {point.x(), point.y(), point.z()},
+                              shape.refusal().code(), shape.refusal().evidence()};
+  }
+  return refused;
+}
+
+} // namespace internal
+} // namespace Shape_interrogation
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_FILL_PATCH_PROPERTIES_H
