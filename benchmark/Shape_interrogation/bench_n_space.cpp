@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 
-// The cost of all second-order data of a surface in n-space: the ruled surface of Chuang and Hoffmann
-// in 16 variables, and chains of n variables for the growth with n.
+// The cost of all second-order data of a surface in n-space: the ruled surface of Chuang and
+// Hoffmann in 16 variables, and chains of n variables for the growth with n.
 
 #include "Ratio_reporter.h"
 
@@ -78,7 +78,10 @@ void evaluate(benchmark::State& state, si::N_space_system system, const std::vec
     benchmark::DoNotOptimize(evaluator(point));
 }
 
-si::N_space_system rational_system() { return ruled_surface({"u0-(2-r)", "v0-(4+3*r)", "w0-(15/4+r^2)"}); }
+si::N_space_system rational_system()
+{
+  return ruled_surface({"u0-(2-r)", "v0-(4+3*r)", "w0-(15/4+r^2)"});
+}
 
 void sixteen_variables_double(benchmark::State& state)
 {

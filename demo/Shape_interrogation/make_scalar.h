@@ -19,6 +19,8 @@
 #include <cmath>
 #include <limits>
 #include <sstream>
+#include <string>
+#include <utility>
 
 namespace interrogate {
 
@@ -61,12 +63,36 @@ inline Scalar make_scalar(const Interval& x)
   return s;
 }
 
+// The two doubles around an exact real, or the one that it is.
+inline std::pair<double, double> enclose(const Real& x)
+{
+  std::pair<double, double> ends = CGAL::to_interval(x);
+  if (!std::isfinite(ends.first) || !std::isfinite(ends.second))
+    return ends;
+  if (x == Real(ends.first))
+    return {ends.first, ends.first};
+  if (x == Real(ends.second))
+    return {ends.second, ends.second};
+  while (std::nextafter(ends.first, ends.second) < ends.second)
+  {
+    const double middle = ends.first / 2 + ends.second / 2;
+    const CGAL::Comparison_result side = CGAL::compare(x, Real(middle));
+    if (side == CGAL::EQUAL)
+      return {middle, middle};
+    (side == CGAL::LARGER ? ends.first : ends.second) = middle;
+  }
+  return ends;
+}
+
 inline Scalar make_scalar(const Real& x)
 {
-  Scalar s;
-  s.approx = si::number_cast<double>(x);
-  s.interval = CGAL::to_interval(x);
-  return s;
+  const std::pair<double, double> ends = enclose(x);
+  if (ends.first == ends.second)
+    return Scalar{ends.first, exact_text(Rational(ends.first)), {}};
+  if (!std::isfinite(ends.first) || !std::isfinite(ends.second))
+    return Scalar{{}, "", ends};
+  const bool is_low = x + x < Real(ends.first) + Real(ends.second);
+  return Scalar{is_low ? ends.first : ends.second, "", ends};
 }
 
 // Exact texts have a size that a reader can still take.

@@ -6,19 +6,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 
-// The example of README.md. A test compares the two from the next line on.
-#include <CGAL/Shape_interrogation/Analysis/umbilics.h>
+// The example of README.md, which repeats this file from the next line on.
 #include <CGAL/Shape_interrogation/Surfaces/Implicit_surface_3.h>
+#include <CGAL/Shape_interrogation/Traits/Interrogation_3.h>
 #include <iostream>
-
-using NT = CGAL::Exact_rational;
 
 int main()
 {
+  using Point = CGAL::Epick::Point_3;
   const CGAL::Shape_interrogation::Implicit_surface_3 torus([](auto x, auto y, auto z) {
     return square(x * x + y * y + z * z + 3) - 16 * (x * x + y * y);
   });
-  const auto shape = torus(std::array<NT, 3>{NT(6) / 5, NT(8) / 5, NT(1)});
-  std::cout << "K = " << gaussian_curvature(*shape) << ", parabolic: " << is_parabolic(*shape)
-            << ", sign of H: " << sign_of_mean_curvature(*shape) << '\n';
+  const CGAL::Shape_interrogation::Interrogation_3 ask(torus);
+  for (const Point& p : {Point(3, 0, 0), Point(2, 0, 1), Point(1, 0, 0)}) // outside, top, inside
+    std::cout << "K = " << gaussian_curvature(*ask.shape(p)) << ", its certified sign "
+              << *ask.sign_of_gaussian_curvature(p) << '\n';
 }

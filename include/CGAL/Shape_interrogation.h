@@ -9,8 +9,8 @@
 #ifndef CGAL_SHAPE_INTERROGATION_H
 #define CGAL_SHAPE_INTERROGATION_H
 
-// Everything but meshing, files and the text parser, which cost seconds to compile: for quick starts.
-// Programs that compile often include what they use.
+// Everything but meshing, files and the text parser, which cost seconds to compile: for quick
+// starts. Programs that compile often include what they use.
 
 #include <CGAL/Shape_interrogation/Number_types/Elementary_functions.h>
 #include <CGAL/Shape_interrogation/Number_types/Errors.h>

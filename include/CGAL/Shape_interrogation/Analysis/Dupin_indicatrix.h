@@ -9,8 +9,8 @@
 #ifndef CGAL_SHAPE_INTERROGATION_ANALYSIS_DUPIN_INDICATRIX_H
 #define CGAL_SHAPE_INTERROGATION_ANALYSIS_DUPIN_INDICATRIX_H
 
-// Dupin's indicatrix k1 x^2 + k2 y^2 = +-1 in the tangent plane, with the signs that Pegna and Wolter
-// leave out: without them a surface and its mirror image have the same one.
+// Dupin's indicatrix k1 x^2 + k2 y^2 = +-1 in the tangent plane, with the signs that Pegna and
+// Wolter leave out: without them a surface and its mirror image have the same one.
 
 #include <CGAL/Shape_interrogation/Analysis/Fundamental_forms.h>
 
@@ -47,8 +47,8 @@ struct Dupin_indicatrix
   //! have the other one.)
   std::optional<Coordinates<NT, 2>> line_direction;
 
-  //! tells whether two indicatrices in the same basis are the same set of points. The forms may then
-  //! still be opposite: the set does not know the side to which the surface bends.
+  //! tells whether two indicatrices in the same basis are the same set of points. The forms may
+  //! then still be opposite: the set does not know the side to which the surface bends.
   friend bool is_same_point_set(const Dupin_indicatrix& a, const Dupin_indicatrix& b)
   {
     const Quadratic_form_2<NT> opposite{NT(-b.form.l), NT(-b.form.m), NT(-b.form.n)};

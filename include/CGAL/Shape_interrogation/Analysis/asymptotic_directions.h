@@ -31,7 +31,8 @@ enum class Asymptotic_type
 
 /*!
  * \ingroup PkgShapeInterrogationAnalysis
- * \brief holds the asymptotic directions \f$ (x \pm \sqrt d, y) \f$, or, where `x_is_single` is set,
+ * \brief holds the asymptotic directions \f$ (x \pm \sqrt d, y) \f$, or, where `x_is_single` is
+ * set,
  * \f$ (1, 0) \f$ and \f$ (x, y) \f$. Free of roots, so exact.
  */
 template <class NT>
@@ -107,8 +108,8 @@ have_common_asymptotic_direction(const Quadratic_form_2<NT>& a, const Quadratic_
  * direction, real or complex, that is not parallel to `t`. By the complex corollary the forms are
  * then equal. Needs a ring only.
  *
- * A common asymptotic direction that is parallel to `t` proves nothing: two cylinders touching along
- * a generatrix share theirs (the criterion as printed in 2.6 is not sufficient).
+ * A common asymptotic direction that is parallel to `t` proves nothing: two cylinders touching
+ * along a generatrix share theirs (the criterion as printed in 2.6 is not sufficient).
  * \pre `a(t) = b(t)`, and `t` is not zero
  * \exception Uncertain_conversion_exception if an enclosure does not decide
  */
@@ -121,8 +122,9 @@ bool have_transversal_asymptotic_direction(const Quadratic_form_2<NT>& a,
   if (bool(difference.is_zero()))
   {
     // Any zero of the common form that is not t: none only if the form is a multiple of (x x t)^2.
-    const bool double_at_t = bool(is_zero_decision(a.determinant())) && bool(is_zero_decision(a(t)));
-    return bool(a.is_zero()) || !double_at_t;
+    if (bool(a.is_zero()))
+      return true;
+    return !bool(is_zero_decision(a.determinant())) || !bool(is_zero_decision(a(t)));
   }
   // difference = (x x t)(alpha x + beta y): the other zero is z = (beta, -alpha).
   const NT two_m = difference.m + difference.m;

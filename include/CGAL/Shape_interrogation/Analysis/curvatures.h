@@ -70,8 +70,8 @@ NT squared_mean_curvature(const Local_shape_3<NT>& s)
 
 /*!
  * \ingroup PkgShapeInterrogationAnalysis
- * \brief returns the mean curvature \f$ (\kappa_{min} + \kappa_{max}) / 2 \f$ for the normal of `s`.
- * Needs a square root.
+ * \brief returns the mean curvature \f$ (\kappa_{min} + \kappa_{max}) / 2 \f$ for the normal of
+ * `s`. Needs a square root.
  */
 template <class NT>
 NT mean_curvature(const Local_shape_3<NT>& s)
@@ -143,8 +143,8 @@ struct Curvatures
  * \ingroup PkgShapeInterrogationAnalysis
  * \brief returns all curvatures in one go. Needs square roots.
  *
- * The principal curvature of larger magnitude is computed first and the other as a quotient, so that
- * no digits cancel in floating point.
+ * The principal curvature of larger magnitude is computed first and the other as a quotient, so
+ * that no digits cancel in floating point.
  */
 template <class NT>
 Curvatures<NT> curvatures(const Local_shape_3<NT>& s)
@@ -171,8 +171,11 @@ Curvatures<NT> curvatures(const Local_shape_3<NT>& s)
   }
   const NT larger = positive ? NT(a + root_d) : NT(a - root_d);
   const NT smaller = NT(4) * q * b / larger;
-  k.min = (positive ? smaller : larger) * scale;
-  k.max = (positive ? larger : smaller) * scale;
+  const std::array<NT, 2> ordered = positive
+    ? internal::in_order<NT>(smaller * scale, larger * scale)
+    : internal::in_order<NT>(larger * scale, smaller * scale);
+  k.min = ordered[0];
+  k.max = ordered[1];
   return k;
 }
 

@@ -117,9 +117,9 @@ std::array<Coordinates<NT, 3>, 3> case_directions(const Coordinates<NT, 3>& h,
  * \brief returns the Hessian of the normalform from its unit gradient and the normal curvatures in
  * the directions of `case_directions()`. Needs a field.
  *
- * The generic formulas divide by products of components: in floating point they lose all digits near
- * a vanishing component. `shape_from_normal_curvatures()` and the projector form \f$ P H P \f$ need
- * no cases; the three agree exactly.
+ * The generic formulas divide by products of components: in floating point they lose all digits
+ * near a vanishing component. `shape_from_normal_curvatures()` and the projector form \f$ P H P \f$
+ * need no cases; the three agree exactly.
  * \pre `h` is a unit vector with the given pattern
  *
  * Source: Hartmann, 4.1.1 and 4.1.2 (the printed linear systems have a misprint, the solutions are

@@ -37,8 +37,8 @@ NT second_form(const Local_shape_3<NT>& s, const Coordinates<NT, 3>& u,
 
 /*!
  * \ingroup PkgShapeInterrogationAnalysis
- * \brief returns a refusal if `v` is not a tangent direction at `s`: certainly not orthogonal to the
- * normal (`NOT_TANGENT`; floating point makes no such claim), or zero (`DEPENDENT_DIRECTIONS`).
+ * \brief returns a refusal if `v` is not a tangent direction at `s`: certainly not orthogonal to
+ * the normal (`NOT_TANGENT`; floating point makes no such claim), or zero (`DEPENDENT_DIRECTIONS`).
  */
 template <class NT>
 std::optional<Refusal> refuse_direction(const Local_shape_3<NT>& s, const Coordinates<NT, 3>& v)
@@ -94,8 +94,8 @@ NT normal_curvature(const Local_shape_3<NT>& s, const Coordinates<NT, 3>& v)
 /*!
  * \ingroup PkgShapeInterrogationAnalysis
  * \brief returns Euler's \f$ \kappa_{min} \cos^2 \theta + \kappa_{max} \sin^2 \theta \f$ for the
- * direction at the angle \f$ \theta \f$ from the one of the smaller principal curvature, given by any
- * positive multiple of \f$ (\cos \theta, \sin \theta) \f$. Needs a field.
+ * direction at the angle \f$ \theta \f$ from the one of the smaller principal curvature, given by
+ * any positive multiple of \f$ (\cos \theta, \sin \theta) \f$. Needs a field.
  * \pre the direction is not zero
  */
 template <class NT>

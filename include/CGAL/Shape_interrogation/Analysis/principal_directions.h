@@ -9,8 +9,8 @@
 #ifndef CGAL_SHAPE_INTERROGATION_ANALYSIS_PRINCIPAL_DIRECTIONS_H
 #define CGAL_SHAPE_INTERROGATION_ANALYSIS_PRINCIPAL_DIRECTIONS_H
 
-// Principal directions from the columns of B - lambda P, which is sqrt(D) times the projector on the
-// other direction. (Hartmann's fallback alpha = 0 never arises: umbilics are refused first.)
+// Principal directions from the columns of B - lambda P, which is sqrt(D) times the projector on
+// the other direction. (Hartmann's fallback alpha = 0 never arises: umbilics are refused first.)
 
 #include <CGAL/Shape_interrogation/Analysis/umbilics.h>
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>
@@ -27,8 +27,8 @@ namespace Shape_interrogation {
  * \brief returns the orthogonal projector on the direction of the larger principal curvature.
  *
  * It is \f$ (B - \lambda P) / \sqrt D \f$ with \f$ \lambda = (\mathrm{tr} B - \sqrt D) / 2 \f$, and
- * does not depend on the sign choice that a direction vector needs. Exact where \f$ \sqrt D \f$ is in
- * the field. Refused at umbilics (`AMBIGUOUS`).
+ * does not depend on the sign choice that a direction vector needs. Exact where \f$ \sqrt D \f$ is
+ * in the field. Refused at umbilics (`AMBIGUOUS`).
  * \exception Not_algebraic_error if the root is not in an exact field
  */
 template <class NT>
@@ -40,7 +40,9 @@ Result<Symmetric_matrix_3<NT>> projector_on_max_direction(const Local_shape_3<NT
   if (CGAL::possibly(umbilic))
     return Refusal(Refusal_code::UNDECIDED, "it is undecided whether the point is umbilic");
   const NT& q = s.normal_squared_length();
-  const NT discriminant = umbilic_discriminant(s);
+  const NT discriminant = internal::nonnegative_part(umbilic_discriminant(s));
+  if (CGAL::certainly(is_zero_decision(discriminant))) // below zero by rounding
+    return Refusal(Refusal_code::AMBIGUOUS, "the point is umbilic up to rounding");
   const NT root = Elementary_functions<NT>::sqrt(discriminant) / (s.scale() * q); // sqrt(D)
   const NT trace = s.trace_numerator() / (s.scale() * q);
   const NT lambda = (trace - root) / NT(2);

@@ -9,8 +9,8 @@
 #ifndef CGAL_SHAPE_INTERROGATION_ANALYSIS_SHAPE_FROM_NORMAL_CURVATURES_H
 #define CGAL_SHAPE_INTERROGATION_ANALYSIS_SHAPE_FROM_NORMAL_CURVATURES_H
 
-// The shape operator from normal curvatures in any three tangent directions: the general form behind
-// Hartmann's case formulas, without cases.
+// The shape operator from normal curvatures in any three tangent directions: the general form
+// behind Hartmann's case formulas, without cases.
 
 #include <CGAL/Shape_interrogation/Number_types/Elementary_functions.h>
 #include <CGAL/Shape_interrogation/Waist/Local_shape_3.h>
@@ -72,14 +72,14 @@ Result<Local_shape_3<NT>> solve_three_tangents(const Coordinates<NT, 3>& point,
 
 /*!
  * \ingroup PkgShapeInterrogationAnalysis
- * \brief returns the second-order data with the given normal that have the normal curvatures `kappa`
- * (for the unit normal) in three tangent `directions`. Needs a field.
+ * \brief returns the second-order data with the given normal that have the normal curvatures
+ * `kappa` (for the unit normal) in three tangent `directions`. Needs a field.
  *
- * The directions need not be normalised. If the normal has not length 1, its length must exist in the
- * field.
+ * The directions need not be normalised. If the normal has not length 1, its length must exist in
+ * the field.
  * Refused are a zero normal (`SINGULAR_POINT`), directions that certainly are not tangent
- * (`NOT_TANGENT`), two parallel directions (`DEPENDENT_DIRECTIONS`), and a length that is not in the
- * field (`NOT_ALGEBRAIC`).
+ * (`NOT_TANGENT`), two parallel directions (`DEPENDENT_DIRECTIONS`), and a length that is not in
+ * the field (`NOT_ALGEBRAIC`).
  *
  * Source: three tangents theorem (Pegna and Wolter, 2.3); Hartmann, section 4.1.
  * \sa `hessian_by_cases()`

@@ -9,8 +9,9 @@
 #ifndef CGAL_SHAPE_INTERROGATION_ANALYSIS_THREE_TANGENTS_H
 #define CGAL_SHAPE_INTERROGATION_ANALYSIS_THREE_TANGENTS_H
 
-// The three tangents theorem (Pegna and Wolter, 2.3): normal curvatures in three pairwise independent
-// directions determine the second fundamental form. det = 2 (t1 x t2)(t1 x t3)(t2 x t3).
+// The three tangents theorem (Pegna and Wolter, 2.3): normal curvatures in three pairwise
+// independent directions determine the second fundamental form. det = 2 (t1 x t2)(t1 x t3)(t2 x
+// t3).
 
 #include <CGAL/Shape_interrogation/Analysis/Fundamental_forms.h>
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>

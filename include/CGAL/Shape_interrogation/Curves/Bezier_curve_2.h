@@ -142,12 +142,10 @@ private:
   template <class T, class Ask>
   Result<T> answer(const NT& t, Ask ask) const
   {
-    return internal::refuse_errors<T>([&] {
-      return internal::call_for<NT>([&]() -> Result<T> {
-        if (is_rational())
-          return ask(evaluate<3>(t));
-        return ask(evaluate<2>(t));
-      });
+    return internal::refuse_errors<T>([&]() -> Result<T> {
+      if (is_rational())
+        return ask(evaluate<3>(t));
+      return ask(evaluate<2>(t));
     });
   }
 
@@ -155,8 +153,8 @@ private:
   internal::Row_derivatives<NT, Dim> evaluate(const NT& t) const
   {
     return internal::with_degrees<NT>(degree(), degree(), [&](auto d) {
-      return internal::sum_row<Dim>(m_points.numbers(),
-                                    internal::bernstein_basis<d.value>(degree(), t));
+      return internal::row_derivatives<Dim>(m_points.numbers(),
+                                            internal::bernstein_basis<d.value>(degree(), t));
     });
   }
 

@@ -112,8 +112,8 @@ public:
    * \brief computes the second-order data at the parameter `t`, at a knot from the given side.
    *
    * Refused are parameters outside the domain (`OUTSIDE_DOMAIN`), places where the derivative
-   * vanishes (`IRREGULAR_PARAMETRISATION`), zeros of the common weight (`POLE`), and what the number
-   * type cannot decide (`UNDECIDED`).
+   * vanishes (`IRREGULAR_PARAMETRISATION`), zeros of the common weight (`POLE`), and what the
+   * number type cannot decide (`UNDECIDED`).
    */
   Result<Shape> operator()(const NT& t, Side side = Side::RIGHT) const
   {
@@ -192,12 +192,10 @@ private:
   template <class T, class Ask>
   Result<T> on_span(const NT& t, int span, Ask ask) const
   {
-    return internal::refuse_errors<T>([&] {
-      return internal::call_for<NT>([&]() -> Result<T> {
-        if (is_rational())
-          return ask(evaluate<3>(t, span));
-        return ask(evaluate<2>(t, span));
-      });
+    return internal::refuse_errors<T>([&]() -> Result<T> {
+      if (is_rational())
+        return ask(evaluate<3>(t, span));
+      return ask(evaluate<2>(t, span));
     });
   }
 
@@ -205,8 +203,8 @@ private:
   internal::Row_derivatives<NT, Dim> evaluate(const NT& t, int span) const
   {
     return internal::with_degrees<NT>(degree(), degree(), [&](auto d) {
-      return internal::sum_row<Dim>(first_point<Dim>(span),
-                                    internal::spline_basis<d.value>(m_knots, span, t));
+      return internal::row_derivatives<Dim>(first_point<Dim>(span),
+                                            internal::spline_basis<d.value>(m_knots, span, t));
     });
   }
 

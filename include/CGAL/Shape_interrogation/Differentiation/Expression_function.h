@@ -27,8 +27,8 @@ namespace Shape_interrogation {
  * \brief is a function of `N` numbers with `K` values, made from recorded expressions.
  *
  * It is called with `N` numbers of any type and returns one number for `K` = 1, an array of `K` for
- * more: `Expression_function<3>` is a function for `Implicit_surface_3`, `Expression_function<2, 3>`
- * a map for `Parametric_surface_3`. It throws what `Expression_tape` throws. Const calls are
+ * more: `Expression_function<3>` is a function for `Implicit_surface_3`, `Expression_function<2,
+ * 3>` a map for `Parametric_surface_3`. It throws what `Expression_tape` throws. Const calls are
  * thread-safe.
  *
  * \tparam N the number of variables

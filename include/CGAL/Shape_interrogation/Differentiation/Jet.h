@@ -14,13 +14,13 @@
 // it can and which saves the operation where it cannot (exact types).
 
 #include <CGAL/Shape_interrogation/Differentiation/internal/monomials.h>
+#include <CGAL/Shape_interrogation/Differentiation/internal/static_for.h>
 #include <CGAL/Shape_interrogation/Number_types/Elementary_functions.h>
 #include <CGAL/Shape_interrogation/Number_types/Number_type_traits.h>
 #include <CGAL/Shape_interrogation/Number_types/number_cast.h>
 
 #include <array>
 #include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Shape_interrogation {
@@ -42,7 +42,7 @@ namespace Shape_interrogation {
  * \tparam N the number of variables, at least 1
  * \tparam Order the truncation degree, 1 to 4
  *
- * Complexity: a product costs \f$ O(\binom{2N+Order}{Order}) \f$ operations in `NT`, fewer where
+ * Complexity: a product costs \f$ O(\binom{2N+Order}{Order}) \f$ operations, fewer where
  * coefficients are zero by structure.
  */
 template <class NT, int N, int Order = 2>
@@ -51,10 +51,10 @@ class Jet
   using Monomials = internal::Monomials<N, Order>;
 
 public:
-  using Number_type = NT;                               //!< the coefficients
-  static constexpr int variables = N;                   //!< the number of variables
-  static constexpr int order = Order;                   //!< the truncation degree
-  static constexpr int size = Monomials::size;          //!< the number of coefficients
+  using Number_type = NT;                      //!< the coefficients
+  static constexpr int variables = N;          //!< the number of variables
+  static constexpr int order = Order;          //!< the truncation degree
+  static constexpr int size = Monomials::size; //!< the number of coefficients
 
   //! constructs zero.
   Jet() : m_mask(0) {}
@@ -71,7 +71,7 @@ public:
   [[gnu::always_inline]] static Jet variable(int i, const NT& value)
   {
     Jet x(value);
-    for_each([&](auto k) __attribute__((always_inline)) {
+    internal::static_for<size>([&](auto k) __attribute__((always_inline)) {
       if (k == 1 + i)
         x.m_c[k] = NT(1);
     });
@@ -79,8 +79,8 @@ public:
     return x;
   }
 
-  //! returns the jet of `value + sum step[i] * t_i` in the `N` variables `t_i`: a point moving along
-  //! given directions.
+  //! returns the jet of `value + sum step[i] * t_i` in the `N` variables `t_i`: a point moving
+  //! along given directions.
   static Jet along(const NT& value, const std::array<NT, N>& step)
   {
     Jet x(value);
@@ -118,7 +118,7 @@ public:
   }
 
   //! tells whether the coefficient is zero by structure, without looking at its value.
-  bool is_structurally_zero(int index) const { return !((m_mask >> index) & 1u); }
+  bool is_structurally_zero(int index) const { return !has(index); }
 
 #ifndef DOXYGEN_RUNNING
   friend Jet operator+(const Jet& a) { return a; }
@@ -148,15 +148,11 @@ public:
     else return out_of_line(Multiple(), a, s);
   }
   friend Jet operator*(const NT& s, const Jet& a) { return a * s; }
-  friend Jet operator+(const Jet& a, const NT& s) { return a + Jet(s); }
-  friend Jet operator+(const NT& s, const Jet& a) { return Jet(s) + a; }
-  friend Jet operator-(const Jet& a, const NT& s) { return a - Jet(s); }
-  friend Jet operator-(const NT& s, const Jet& a) { return Jet(s) - a; }
   friend Jet operator/(const Jet& a, const NT& s)
   {
     Jet r;
     r.m_mask = a.m_mask;
-    for_each([&](auto k) { if (a.has(k)) r.m_c[k] = a.m_c[k] / s; });
+    internal::static_for<size>([&](auto k) { if (a.has(k)) r.m_c[k] = a.m_c[k] / s; });
     return r;
   }
   friend Jet operator/(const NT& s, const Jet& b) { return b.reciprocal() * s; }
@@ -172,10 +168,6 @@ public:
   template <class I> friend If_number<I> operator*(I s, const Jet& a) { return a * NT(s); }
   template <class I> friend If_number<I> operator/(const Jet& a, I s) { return a / NT(s); }
   template <class I> friend If_number<I> operator/(I s, const Jet& a) { return NT(s) / a; }
-  template <class I> friend If_number<I> operator+(const Jet& a, I s) { return a + Jet(s); }
-  template <class I> friend If_number<I> operator+(I s, const Jet& a) { return Jet(s) + a; }
-  template <class I> friend If_number<I> operator-(const Jet& a, I s) { return a - Jet(s); }
-  template <class I> friend If_number<I> operator-(I s, const Jet& a) { return Jet(s) - a; }
 
   Jet& operator+=(const Jet& b) { return *this = *this + b; }
   Jet& operator-=(const Jet& b) { return *this = *this - b; }
@@ -210,7 +202,7 @@ public:
   //! returns 1 divided by the jet. \exception Division_by_zero_error if the value is certainly zero
   Jet reciprocal() const
   {
-    if (!has_value() || CGAL::certainly(is_zero_decision(m_c[0])))
+    if (!has(0) || CGAL::certainly(is_zero_decision(m_c[0])))
       throw Division_by_zero_error("division by an expression that is zero at this point");
     std::array<NT, Order + 1> t;
     t[0] = NT(1) / m_c[0];
@@ -223,7 +215,6 @@ public:
   }
 
 private:
-  template <int K> using Index = std::integral_constant<int, K>;
   static constexpr bool is_light = Number_type_traits<NT>::is_light;
 
   // The operations are inlined into the caller for light types only: there the masks become
@@ -234,44 +225,46 @@ private:
     {
       Jet r;
       r.m_mask = a.m_mask;
-      for_each([&](auto k) __attribute__((always_inline)) { if (a.has(k)) r.m_c[k] = -a.m_c[k]; });
+      internal::static_for<size>([&](auto k) __attribute__((always_inline)) {
+        if (a.has(k)) r.m_c[k] = -a.m_c[k];
+      });
       return r;
     }
   };
-  struct Sum
+  template <bool subtract>
+  struct Combination
   {
     [[gnu::always_inline]] Jet operator()(const Jet& a, const Jet& b) const
     {
       Jet r;
       r.m_mask = a.m_mask | b.m_mask;
-      for_each([&](auto k) __attribute__((always_inline)) {
-        if (a.has(k) && b.has(k)) r.m_c[k] = a.m_c[k] + b.m_c[k];
-        else if (a.has(k)) r.m_c[k] = a.m_c[k];
-        else if (b.has(k)) r.m_c[k] = b.m_c[k];
+      internal::static_for<size>([&](auto k) __attribute__((always_inline)) {
+        if (!b.has(k)) {
+          if (a.has(k)) r.m_c[k] = a.m_c[k];
+        }
+        else if constexpr (subtract) {
+          if (a.has(k)) r.m_c[k] = a.m_c[k] - b.m_c[k];
+          else r.m_c[k] = -b.m_c[k];
+        }
+        else {
+          if (a.has(k)) r.m_c[k] = a.m_c[k] + b.m_c[k];
+          else r.m_c[k] = b.m_c[k];
+        }
       });
       return r;
     }
   };
-  struct Difference
-  {
-    [[gnu::always_inline]] Jet operator()(const Jet& a, const Jet& b) const
-    {
-      Jet r;
-      r.m_mask = a.m_mask | b.m_mask;
-      for_each([&](auto k) __attribute__((always_inline)) {
-        if (a.has(k) && b.has(k)) r.m_c[k] = a.m_c[k] - b.m_c[k];
-        else if (a.has(k)) r.m_c[k] = a.m_c[k];
-        else if (b.has(k)) r.m_c[k] = -b.m_c[k];
-      });
-      return r;
-    }
-  };
+  using Sum = Combination<false>;
+  using Difference = Combination<true>;
   struct Product
   {
     [[gnu::always_inline]] Jet operator()(const Jet& a, const Jet& b) const
     {
       Jet r;
-      for_each_product([&](auto i, auto j, auto k) __attribute__((always_inline)) {
+      internal::static_for<Monomials::number_of_products>([&](auto p)
+                                                            __attribute__((always_inline)) {
+        constexpr auto product = Monomials::products[p];
+        constexpr int i = product.left, j = product.right, k = product.result;
         if (!a.has(i) || !b.has(j))
           return;
         if (r.has(k)) r.m_c[k] += a.m_c[i] * b.m_c[j];
@@ -287,44 +280,17 @@ private:
     {
       Jet r;
       r.m_mask = a.m_mask;
-      for_each([&](auto k) __attribute__((always_inline)) {
+      internal::static_for<size>([&](auto k) __attribute__((always_inline)) {
         if (a.has(k)) r.m_c[k] = a.m_c[k] * s;
       });
       return r;
     }
   };
 
-  template <class Operation, class... Args>
-  static Jet out_of_line(Operation operation, const Args&... args)
-  {
-    return operation(args...);
-  }
+  template <class F, class... Args>
+  static Jet out_of_line(F operation, const Args&... args) { return operation(args...); }
 
   [[gnu::always_inline]] bool has(int k) const { return (m_mask >> k) & 1u; }
-  bool has_value() const { return has(0); }
-
-  template <class F, int... K>
-  [[gnu::always_inline]] static void for_each(F f, std::integer_sequence<int, K...>)
-  {
-    (f(Index<K>()), ...);
-  }
-  template <class F>
-  [[gnu::always_inline]] static void for_each(F f)
-  {
-    for_each(f, std::make_integer_sequence<int, size>());
-  }
-
-  template <class F, int... P>
-  [[gnu::always_inline]] static void for_each_product(F f, std::integer_sequence<int, P...>)
-  {
-    (f(Index<Monomials::products[P].left>(), Index<Monomials::products[P].right>(),
-       Index<Monomials::products[P].result>()), ...);
-  }
-  template <class F>
-  [[gnu::always_inline]] static void for_each_product(F f)
-  {
-    for_each_product(f, std::make_integer_sequence<int, Monomials::number_of_products>());
-  }
 
   std::array<NT, size> m_c;
   unsigned long long m_mask;

@@ -68,17 +68,17 @@ auto find_map(const Mesh& mesh, const std::string& name)
  * \ingroup PkgShapeInterrogationMeshing
  * \brief gives access to the vertex properties of a mesh with curvature data.
  *
- * The names in the mesh are those of the members with the prefix `"v:"` that \cgal uses, for example
- * `"v:gaussian_curvature"`; in files they have no prefix. All values belong to the unit normal
- * `normal` and follow the sign rule of `Local_shape_3`: a sphere with outward normal has positive
- * mean and principal curvatures. `direction_min`, `direction_max` and `normal` are orthonormal and
- * right-handed in this order.
+ * The names in the mesh are those of the members with the prefix `"v:"` that \cgal uses, for
+ * example `"v:gaussian_curvature"`; in files they have no prefix. All values belong to the unit
+ * normal `normal` and follow the sign rule of `Local_shape_3`: a sphere with outward normal has
+ * positive mean and principal curvatures. `direction_min`, `direction_max` and `normal` are
+ * orthonormal and right-handed in this order.
  *
- * <b>Vertices without data.</b> Where the surface refuses its second-order data, for example where an
- * edge of a patch is collapsed to a point, `regular` is `false`, the curvatures and directions are
- * zero, and `normal` is the limit of the unit normal if it exists for all patches there, else zero.
- * Each of these vertices is in `Mesh_report::refused_places`. At umbilics, where every direction is
- * principal, both directions are zero.
+ * <b>Vertices without data.</b> Where the surface refuses its second-order data, for example where
+ * an edge of a patch is collapsed to a point, `regular` is `false`, the curvatures and directions
+ * are zero, and `normal` is the limit of the unit normal if it exists for all patches there, else
+ * zero. Each of these vertices is in `Mesh_report::refused_places`. At umbilics, where every
+ * direction is principal, both directions are zero.
  */
 class Shape_property_maps
 {

@@ -9,8 +9,8 @@
 #ifndef CGAL_SHAPE_INTERROGATION_MESHING_MESH_PATCHES_H
 #define CGAL_SHAPE_INTERROGATION_MESHING_MESH_PATCHES_H
 
-// Adaptive triangulation of Bezier patches with a certified distance, and with identical vertices on
-// the edges that patches have in common.
+// Adaptive triangulation of Bezier patches with a certified distance, and with identical vertices
+// on the edges that patches have in common.
 
 #include <CGAL/Shape_interrogation/Meshing/Shape_mesh.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/Patch_triangulation.h>
@@ -34,14 +34,14 @@ namespace Shape_interrogation {
  */
 struct Patch_mesh_options
 {
-  //! largest distance of the mesh from the patches; 0 stands for a thousandth of the largest side of
-  //! the box around all control points
+  //! largest distance of the mesh from the patches; 0 stands for a thousandth of the largest side
+  //! of the box around all control points
   double tolerance = 0;
   //! largest length of an edge; 0 stands for no bound
   double max_edge_length = 0;
-  //! largest angle in degrees between the normals at the ends of an edge, on the boundary of a patch
-  //! between the tangents of the boundary; it does not divide edges shorter than the tolerance;
-  //! 0 stands for no bound
+  //! largest angle in degrees between the normals at the ends of an edge, on the boundary of a
+  //! patch between the tangents of the boundary; it does not divide edges shorter than the
+  //! tolerance; 0 stands for no bound
   double max_angle = 15;
   //! largest number of vertices
   std::size_t max_vertices = 5000000;
@@ -206,29 +206,32 @@ private:
  * \ingroup PkgShapeInterrogationMeshing
  * \brief triangulates Bezier patches, polynomial or rational, into one mesh.
  *
- * \details The parameter square of each patch is divided adaptively until each triangle is proved to
- * be within the tolerance of its piece of the patch, and the other bounds of `options` hold. The
- * proof bounds the second derivatives over the triangle's parameters by their Bernstein coefficients
- * in interval arithmetic; vertices are points of the patches, evaluated exactly and rounded to the
- * nearest doubles. Triangles are oriented by \f$ S_u \times S_v \f$. The result is deterministic.
+ * \details The parameter square of each patch is divided adaptively until each triangle is proved
+ * to be within the tolerance of its piece of the patch, and the other bounds of `options` hold. The
+ * proof bounds the second derivatives over the triangle's parameters by their Bernstein
+ * coefficients in interval arithmetic; vertices are points of the patches, evaluated exactly and
+ * rounded to the nearest doubles. Triangles are oriented by \f$ S_u \times S_v \f$. The result is
+ * deterministic.
  *
- * <b>Common edges.</b> Edges of patches are common when their control points, and their weights up to
- * a common factor, are equal, in either order. They get identical vertices, also when the patches are
- * meshed one by one with the same tolerance and bounds: the division of an edge depends on its curve
- * alone. Within one mesh the patches are connected there, unless the edge has more than two
- * patches, or two of opposite orientations: then vertices are doubled and `Mesh_report::manifold` is
- * `false`.
+ * <b>Common edges.</b> Edges of patches are common when their control points, and their weights up
+ * to a common factor, are equal, in either order. They get identical vertices, also when the
+ * patches are meshed one by one with the same tolerance and bounds: the division of an edge depends
+ * on its curve alone. Within one mesh the patches are connected there, unless the edge has more
+ * than two patches, or two of opposite orientations: then vertices are doubled and
+ * `Mesh_report::manifold` is `false`.
  *
- * <b>Degenerate patches.</b> An edge that is collapsed to a point becomes one vertex, and no triangle
- * has two equal corners. Vertices where the parametrisation is irregular have no curvature; see
- * `Shape_property_maps` for their properties and `Mesh_report::refused_places` for the list.
+ * <b>Degenerate patches.</b> An edge that is collapsed to a point becomes one vertex, and no
+ * triangle has two equal corners. Vertices where the parametrisation is irregular have no
+ * curvature; see `Shape_property_maps` for their properties and `Mesh_report::refused_places` for
+ * the list.
  *
- * The vertex properties are those of `Shape_property_maps` and `Patch_property_maps`. Curvatures are
- * computed in interval arithmetic, and exactly where that is not accurate to about
+ * The vertex properties are those of `Shape_property_maps` and `Patch_property_maps`. Curvatures
+ * are computed in interval arithmetic, and exactly where that is not accurate to about
  * \f$ 10^{-13} \f$ of the largest curvature there. On an edge between patches they belong to one of
  * the patches: they differ from those of the other where the patches do not join smoothly.
  *
- * \tparam Progress is called as `progress(done, total)` with the number of patches, see `No_progress`
+ * \tparam Progress is called as `progress(done, total)` with the number of patches, see
+ * `No_progress`
  *
  * \param patches the patches, with exact control points
  * \param options how fine the mesh must be
@@ -240,8 +243,8 @@ private:
  * patch vanishes, `IRREGULAR_PARAMETRISATION` for a patch that is a single curve or point,
  * `CANCELLED`
  *
- * Source: the bound of Filip, Magedson and Markot for the interpolation of a surface by triangles, in
- * a form that keeps the directions of the edges (see triangle_bound.h).
+ * Source: the bound of Filip, Magedson and Markot for the interpolation of a surface by triangles,
+ * in a form that keeps the directions of the edges (see triangle_bound.h).
  */
 template <class Progress = No_progress>
 Result<Shape_mesh> mesh_patches(const std::vector<Bezier_surface_3<Exact_rational>>& patches,

@@ -47,12 +47,12 @@ struct Filter_statistics
  * \brief makes any chain of computations that ends in a decision a certified one.
  *
  * The chain is a callable that works in every number type: called with arguments converted by
- * `cast_argument()` it returns a decision (`Sign`, `bool`, or `Uncertain` of these), or a `Result` of
- * one. The chain is run in floating point with a running magnitude (only for data given in `double`),
- * then in interval arithmetic under one protection of the rounding mode, and only where these are
- * undecided exactly: in a ring of dyadic numbers if the data are doubles and the chain does not
- * divide, else in `ExactNT`. The filter covers the whole chain: a decision about data that were
- * rounded before would be exact about the wrong data.
+ * `cast_argument()` it returns a decision (`Sign`, `bool`, or `Uncertain` of these), or a `Result`
+ * of one. The chain is run in floating point with a running magnitude (only for data given in
+ * `double`), then in interval arithmetic under one protection of the rounding mode, and only where
+ * these are undecided exactly: in a ring of dyadic numbers if the data are doubles and the chain
+ * does not divide, else in `ExactNT`. The filter covers the whole chain: a decision about data that
+ * were rounded before would be exact about the wrong data.
  *
  * A chain that checks a point to be on a surface is only certified where the check is: an enclosure
  * cannot prove a zero. Chains should use the level set of the point

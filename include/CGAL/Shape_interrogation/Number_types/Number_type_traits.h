@@ -42,8 +42,9 @@ struct Number_type_traits
 
   //! tells whether the arithmetic is exact, so that every decision is.
   static constexpr bool is_exact = Algebraic_structure_traits<NT>::Is_exact::value;
-  //! tells whether the operations are single instructions, so that a whole evaluation may be inlined
-  //! into one function. (For exact types that would cost minutes of compilation and gain nothing.)
+  //! tells whether the operations are single instructions, so that a whole evaluation may be
+  //! inlined into one function. (For exact types that would cost minutes of compilation and gain
+  //! nothing.)
   static constexpr bool is_light = std::is_floating_point_v<NT>;
   //! tells whether a number stands for a set of values that contains the true one.
   static constexpr bool is_enclosure = !std::is_same_v<Boolean, bool>;
@@ -86,8 +87,8 @@ inline typename Number_type_traits<NT>::Boolean is_zero_decision(const NT& x)
 
 namespace internal {
 
-// A quantity known to be non-negative: what rounding put below zero is cut off. An exact number that
-// is negative would be an error, which is not hidden.
+// A quantity known to be non-negative: what rounding put below zero is cut off. An exact number
+// that is negative would be an error, which is not hidden.
 template <class NT>
 NT nonnegative_part(const NT& x)
 {

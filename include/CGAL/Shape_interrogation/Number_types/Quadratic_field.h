@@ -45,7 +45,8 @@ public:
 
   Quadratic_field() : m_x(Rational(0)) {}                  //!< constructs zero.
   Quadratic_field(int a) : m_x(Rational(a)) {}             //!< constructs an integer.
-  explicit Quadratic_field(double a) : m_x(Rational(a)) {} //!< constructs the exact value of `a`.
+  //! constructs the exact value of `a`. \exception Conversion_error if it is not finite
+  explicit Quadratic_field(double a) : m_x(number_cast<Rational>(a)) {}
   Quadratic_field(const Rational& a) : m_x(a) {}           //!< constructs a rational number.
 
   //! constructs \f$ a + b \sqrt c \f$. \pre `c` is positive

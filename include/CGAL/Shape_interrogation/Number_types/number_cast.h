@@ -18,8 +18,10 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/number_utils.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <locale>
 #include <sstream>
 #include <type_traits>
 #include <utility>
@@ -33,20 +35,24 @@ template <class T> struct Is_interval : std::false_type {};
 template <bool P> struct Is_interval<Interval_nt<P>> : std::true_type {};
 
 // The double nearest to an exact number (ties to the even neighbour are not broken: either may
-// come). The enclosure of the library is narrowed by exact comparisons until it is one step wide.
+// come); infinite beyond the largest double. The enclosure of the library is narrowed by exact
+// comparisons until it is one step wide; it may be as wide as the line.
 template <class Exact>
 double nearest_double(const Exact& x)
 {
+  constexpr double largest = (std::numeric_limits<double>::max)();
   const std::pair<double, double> enclosure = CGAL::to_interval(x);
-  double lo = enclosure.first, hi = enclosure.second;
-  if (lo == hi)
-    return lo;
-  if (!std::isfinite(lo) || !std::isfinite(hi))
-    return std::isfinite(lo) ? lo : hi;
+  if (enclosure.first == enclosure.second)
+    return enclosure.first;
+  double lo = (std::max)(enclosure.first, -largest), hi = (std::min)(enclosure.second, largest);
+  if (Exact(hi) < x || x < Exact(lo))
+    return Exact(hi) < x ? HUGE_VAL : -HUGE_VAL;
   while (std::nextafter(lo, hi) < hi)
   {
-    const double middle = lo + (hi - lo) / 2;
-    (Exact(middle) <= x ? lo : hi) = middle;
+    const double middle = lo / 2 + hi / 2;
+    const bool between = lo < middle && middle < hi; // not so among the smallest numbers
+    const double cut = between ? middle : std::nextafter(lo, hi);
+    (Exact(cut) <= x ? lo : hi) = cut;
   }
   const Exact twice = x + x;
   const Exact sum = Exact(lo) + Exact(hi);
@@ -96,7 +102,8 @@ struct Number_cast<double, From, std::enable_if_t<!std::is_arithmetic_v<From>>>
   {
     if constexpr (internal::Is_interval<From>::value)
       return x.inf() + (x.sup() - x.inf()) / 2;
-    else if constexpr (std::is_same_v<From, CGAL::Exact_rational>)
+    else if constexpr (std::is_same_v<From, CGAL::Exact_rational> ||
+                       std::is_same_v<From, CORE::Expr>)
       return internal::nearest_double(x);
     else
       return CGAL::to_double(x);
@@ -117,6 +124,18 @@ struct Number_cast<Interval_nt<P>, long>
   static Interval_nt<P> cast(long x)
   {
     return Interval_nt<P>(CGAL::to_interval(CGAL::Exact_rational(x)));
+  }
+};
+
+// GMP aborts the program for values that are not finite.
+template <>
+struct Number_cast<CGAL::Exact_rational, double>
+{
+  static CGAL::Exact_rational cast(double x)
+  {
+    if (!std::isfinite(x))
+      throw Conversion_error("a number is not finite: coordinates and coefficients must be");
+    return CGAL::Exact_rational(x);
   }
 };
 

@@ -9,8 +9,8 @@
 #ifndef CGAL_SHAPE_INTERROGATION_NUMBER_TYPES_REDUCED_SQUARE_ROOT_H
 #define CGAL_SHAPE_INTERROGATION_NUMBER_TYPES_REDUCED_SQUARE_ROOT_H
 
-// sqrt(x) = r sqrt(c) with a rational r and an integer c without small square factors, so that roots
-// such as sqrt(8), sqrt(2) and sqrt(1/2) meet in one field and print alike.
+// sqrt(x) = r sqrt(c) with a rational r and an integer c without small square factors, so that
+// roots such as sqrt(8), sqrt(2) and sqrt(1/2) meet in one field and print alike.
 
 #include <CGAL/Exact_rational.h>
 #include <CGAL/number_utils.h>
@@ -34,9 +34,9 @@ struct Reduced_square_root
  * \brief returns the square root of a rational number as a rational multiple of the root of an
  * integer. \pre `x` is not negative
  *
- * Square factors of primes up to 2000 and a remaining perfect square are pulled out. What is left is
- * proved square-free if it is below the cube of that limit; a larger one may still hide the square
- * of a large prime, which is reported and harmless.
+ * Square factors of primes up to 2000 and a remaining perfect square are pulled out. What is left
+ * is proved square-free if it is below the cube of that limit; a larger one may still hide the
+ * square of a large prime, which is reported and harmless.
  */
 inline Reduced_square_root reduced_square_root(const CGAL::Exact_rational& x)
 {

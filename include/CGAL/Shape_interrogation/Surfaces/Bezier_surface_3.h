@@ -242,12 +242,10 @@ private:
   template <class T, class Ask>
   Result<T> answer(const Parameters& uv, Ask ask) const
   {
-    return internal::refuse_errors<T>([&] {
-      return internal::call_for<NT>([&]() -> Result<T> {
-        if (is_rational())
-          return ask(evaluate<4>(uv));
-        return ask(evaluate<3>(uv));
-      });
+    return internal::refuse_errors<T>([&]() -> Result<T> {
+      if (is_rational())
+        return ask(evaluate<4>(uv));
+      return ask(evaluate<3>(uv));
     });
   }
 

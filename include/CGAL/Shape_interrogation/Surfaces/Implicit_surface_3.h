@@ -9,7 +9,8 @@
 #ifndef CGAL_SHAPE_INTERROGATION_SURFACES_IMPLICIT_SURFACE_3_H
 #define CGAL_SHAPE_INTERROGATION_SURFACES_IMPLICIT_SURFACE_3_H
 
-// Implicit surfaces f = 0: N = grad f and B = P Hess(f) P (Hartmann, section 4.1; MATH: common core).
+// Implicit surfaces f = 0: N = grad f and B = P Hess(f) P (Hartmann, section 4.1; MATH: common
+// core).
 
 #include <CGAL/Shape_interrogation/Differentiation/internal/call_over_jets.h>
 #include <CGAL/Shape_interrogation/Waist/Local_shape_3.h>

@@ -27,10 +27,11 @@ namespace Shape_interrogation {
 
 /*!
  * \ingroup PkgShapeInterrogationSurfaces
- * \brief evaluates the surface of one system in n-space at many points in one number type, reusing its memory.
+ * \brief evaluates the surface of one system in n-space at many points in one number type, reusing
+ * its memory.
  *
- * Refused are, in this order: too few equations (`UNDERDETERMINED`); a point that certainly is not a
- * solution (`NOT_ON_SOLUTION`; floating point makes no such claim); a Jacobian of rank below
+ * Refused are, in this order: too few equations (`UNDERDETERMINED`); a point that certainly is not
+ * a solution (`NOT_ON_SOLUTION`; floating point makes no such claim); a Jacobian of rank below
  * (`RANK_DEFICIENT`) or above (`NOT_TWO_DIMENSIONAL`) \f$ n - 2 \f$; a tangent plane that the
  * projection does not map injectively (`PROJECTION_SINGULAR`); redundant equations that contradict
  * each other to second order (`INCONSISTENT_REDUNDANCY`). Enclosures answer `UNDECIDED` where they
@@ -43,8 +44,8 @@ namespace Shape_interrogation {
  *
  * \tparam NT a field number type
  *
- * Complexity: linear in the length of the equations plus the sparse elimination, for which the order
- * is chosen once if `N_space_system::prepare()` was called.
+ * Complexity: linear in the length of the equations plus the sparse elimination, for which the
+ * order is chosen once if `N_space_system::prepare()` was called.
  */
 template <class NT>
 class N_space_evaluator
@@ -147,7 +148,7 @@ private:
     const int rank = m_plan.rank();
     if (rank == m_n - 2)
     {
-      const auto status = m_elimination.factor(m_plan, m_gradient);
+      const auto status = m_elimination.factor(m_plan, m_gradient, true);
       if (status == Elimination::Status::OK)
         return std::nullopt;
     }

@@ -31,8 +31,8 @@ namespace Shape_interrogation {
  * tangent basis \f$ v_1, v_2 \f$ in n-space, three numbers of a second-order jet along
  * \f$ p + s v_1 + t v_2 \f$ suffice, at a cost linear in the length of the equations.
  *
- * The normal is oriented so that its first non-zero component is positive, or has a positive product
- * with the orientation of the system where that is given.
+ * The normal is oriented so that its first non-zero component is positive, or has a positive
+ * product with the orientation of the system where that is given.
  *
  * Const calls are thread-safe. The object is independent of the number type.
  *

@@ -248,12 +248,10 @@ private:
   template <class T, class Ask>
   Result<T> on_spans(const Parameters& uv, int span_u, int span_v, Ask ask) const
   {
-    return internal::refuse_errors<T>([&] {
-      return internal::call_for<NT>([&]() -> Result<T> {
-        if (is_rational())
-          return ask(evaluate<4>(uv, span_u, span_v));
-        return ask(evaluate<3>(uv, span_u, span_v));
-      });
+    return internal::refuse_errors<T>([&]() -> Result<T> {
+      if (is_rational())
+        return ask(evaluate<4>(uv, span_u, span_v));
+      return ask(evaluate<3>(uv, span_u, span_v));
     });
   }
 

@@ -26,8 +26,8 @@ namespace Shape_interrogation {
  * The object is independent of the number type: each call asks for the one it wants. Const calls
  * are thread-safe if those of the map are.
  *
- * \tparam Map must be a model of `ParametricMap_3`: callable with two numbers of any type, returning
- * an array of three
+ * \tparam Map must be a model of `ParametricMap_3`: callable with two numbers of any type,
+ * returning an array of three
  *
  * Source: the root-free form of Elber and Cohen, section 3, in Hartmann's sign.
  * \cgalModels{ShapeSource_3}

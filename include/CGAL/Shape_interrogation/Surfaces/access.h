@@ -85,8 +85,8 @@ Result<Projected_point_3> project_to_surface(const Implicit_surface_3<Function>&
 
 /*!
  * \ingroup PkgShapeInterrogationSurfaces
- * \brief encloses the second-order data of a surface over a box of queries: of every level set for an
- * implicit one, of every point of the parameter box for a parametrised one.
+ * \brief encloses the second-order data of a surface over a box of queries: of every level set for
+ * an implicit one, of every point of the parameter box for a parametrised one.
  *
  * Decisions on the result hold for the whole box or are undecided. Refused with `UNDECIDED` if the
  * box may contain singular places. Sets the rounding mode for the call.

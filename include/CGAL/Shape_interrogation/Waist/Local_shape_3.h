@@ -39,8 +39,8 @@ namespace Shape_interrogation {
  * curvatures change their signs. (O'Neill's shape operator, and Chuang-Hoffmann, Elber-Cohen and
  * Pegna-Wolter for the same normal, have the opposite sign.) This is the one rule of the package.
  *
- * <b>Storage.</b> As a homogeneous kernel keeps a common denominator, so does this class: it keeps a
- * symmetric form \f$ T \f$ and a positive denominator \f$ w \f$ with \f$ B = P T P / w \f$,
+ * <b>Storage.</b> As a homogeneous kernel keeps a common denominator, so does this class: it keeps
+ * a symmetric form \f$ T \f$ and a positive denominator \f$ w \f$ with \f$ B = P T P / w \f$,
  * \f$ P = I - N N^T / q \f$ , and the numerators of trace and minors,
  * \f$ a = w \, q \, \mathrm{tr} B \f$ and \f$ b = w^2 q \, m_2(B) \f$, which a representation
  * computes in the lowest possible degree. Every decision is a polynomial in \f$ N, T, w, a, b \f$.

@@ -9,7 +9,8 @@
 #ifndef CGAL_SHAPE_INTERROGATION_WAIST_SYMMETRIC_MATRIX_3_H
 #define CGAL_SHAPE_INTERROGATION_WAIST_SYMMETRIC_MATRIX_3_H
 
-// Three-vectors as arrays and symmetric 3x3 matrices over any ring: the few operations of the waist.
+// Three-vectors as arrays and symmetric 3x3 matrices over any ring: the few operations of the
+// waist.
 
 #include <array>
 

@@ -31,22 +31,6 @@ constexpr int any_degree = -2;
 template <int Degree>
 using Degree_constant = std::integral_constant<int, Degree>;
 
-// Calls f, for light numbers as one function into which everything is inlined.
-template <class Function>
-[[gnu::flatten]] auto call_flattened(Function f)
-{
-  return f();
-}
-
-template <class NT, class Function>
-auto call_for(Function f)
-{
-  if constexpr (Number_type_traits<NT>::is_light)
-    return call_flattened(f);
-  else
-    return f();
-}
-
 // Calls f with the constant that serves both degrees. Unrolled code pays for light numbers only.
 template <class NT, class Function>
 auto with_degrees(int m, int n, Function f)
@@ -82,16 +66,7 @@ private:
   std::array<Row, 3> m_rows;
 };
 
-// c x and y + c x for points x that are given by their first number.
-template <int Dim, class NT>
-std::array<NT, Dim> multiple(const NT& c, const NT* x)
-{
-  std::array<NT, Dim> y;
-  for (int d = 0; d < Dim; ++d)
-    y[d] = c * x[d];
-  return y;
-}
-
+// y += c x for a point x that is given by its first number.
 template <class NT, std::size_t Dim>
 void add_multiple(std::array<NT, Dim>& y, const NT& c, const NT* x)
 {
@@ -99,17 +74,20 @@ void add_multiple(std::array<NT, Dim>& y, const NT& c, const NT* x)
     y[d] += c * x[d];
 }
 
-// The sums of a row of points with the basis for the derivatives of orders 0, 1, 2.
-template <int Dim, class NT, int Degree>
-std::array<std::array<NT, Dim>, 3>
-sum_row(const NT* row, const Basis_values<NT, Degree>& b)
+// The sums of one coordinate of a row of points, `stride` numbers apart, with the basis and its
+// derivatives of the orders 1 and 2.
+template <class NT, int Degree>
+std::array<NT, 3> sum_row(const NT* row, int stride, const Basis_values<NT, Degree>& b)
 {
-  std::array<std::array<NT, Dim>, 3> sums{
-    multiple<Dim>(b(0, 0), row), multiple<Dim>(b(1, 0), row), multiple<Dim>(b(2, 0), row)};
-  for (int j = 1; j <= b.degree(); ++j)
-    for (int order = 0; order < 3; ++order)
-      add_multiple(sums[order], b(order, j), row + j * Dim);
-  return sums;
+  NT value = b(0, 0) * row[0], first = b(1, 0) * row[0], second = b(2, 0) * row[0];
+  for (int i = 1; i <= b.degree(); ++i)
+  {
+    const NT& x = row[i * stride];
+    value += b(0, i) * x;
+    first += b(1, i) * x;
+    second += b(2, i) * x;
+  }
+  return {value, first, second};
 }
 
 // From the functions of degree n - 1 (n of them) to the derivatives of those of degree n:

@@ -30,9 +30,9 @@ namespace Shape_interrogation {
 namespace internal {
 
 template <class NT, class = void>
-struct Has_division : std::false_type {};
+struct Is_divisible : std::false_type {};
 template <class NT>
-struct Has_division<NT, std::void_t<decltype(std::declval<NT>() / std::declval<NT>())>>
+struct Is_divisible<NT, std::void_t<decltype(std::declval<NT>() / std::declval<NT>())>>
   : std::true_type {};
 
 // Rows of equal length as one sequence.
@@ -68,7 +68,7 @@ std::optional<std::string> why_no_grid(const char* items, const std::vector<std:
 template <class NT, int Dim>
 Coordinates<NT, Dim> quotient(const NT* numerators, const NT& denominator)
 {
-  if constexpr (Has_division<NT>::value)
+  if constexpr (Is_divisible<NT>::value)
   {
     Coordinates<NT, Dim> p;
     for (int d = 0; d < Dim; ++d)

@@ -39,6 +39,19 @@ namespace internal {
 template <class NT, int Dim>
 using Row_derivatives = std::array<Coordinates<NT, Dim>, 3>;
 
+template <int Dim, class NT, int Degree>
+Row_derivatives<NT, Dim> row_derivatives(const NT* points, const Basis_values<NT, Degree>& b)
+{
+  Row_derivatives<NT, Dim> r;
+  for (int d = 0; d < Dim; ++d)
+  {
+    const std::array<NT, 3> sums = sum_row(points + d, Dim, b);
+    for (int order = 0; order < 3; ++order)
+      r[order][d] = sums[order];
+  }
+  return r;
+}
+
 // The data of the normal (-t_2, t_1) and the numerator factor * det(tt, t).
 template <class NT>
 Result<Local_shape_2<NT>> shape_from_derivatives(const Curve_derivatives_2<NT>& d,

@@ -9,8 +9,9 @@
 #ifndef CGAL_SHAPE_INTERROGATION_DIFFERENTIATION_INTERNAL_CALL_OVER_JETS_H
 #define CGAL_SHAPE_INTERROGATION_DIFFERENTIATION_INTERNAL_CALL_OVER_JETS_H
 
-// Calls a user's function over jets. For light number types everything is inlined into one function,
-// where the compiler sees the sparsity of the jets and drops the zero terms: about five times faster.
+// Calls a user's function over jets. For light number types everything is inlined into one
+// function, where the compiler sees the sparsity of the jets and drops the zero terms: about five
+// times faster.
 
 #include <CGAL/Shape_interrogation/Differentiation/Jet.h>
 

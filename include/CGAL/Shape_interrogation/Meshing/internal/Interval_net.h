@@ -101,26 +101,37 @@ inline Mesh_interval hull(const Mesh_interval& a, const Mesh_interval& b)
   return Mesh_interval((std::min)(a.inf(), b.inf()), (std::max)(a.sup(), b.sup()));
 }
 
-// The hull of the Bernstein coefficients of the (du, dv)-th derivative of the homogeneous net:
-// all derivatives up to order two are sums of three or four neighbours.
+// The (du, dv)-th difference of a coordinate at (i, j), for du + dv at most two.
+inline Mesh_interval difference(const Interval_net& net, int i, int j, int k, int du, int dv)
+{
+  const Mesh_interval& p = net(i, j)[k];
+  if (du + dv == 0)
+    return p;
+  const Mesh_interval& q = net(i + (du > 0), j + (du == 0))[k];
+  if (du + dv == 1)
+    return q - p;
+  const Mesh_interval& r = net(i + (du == 2), j + (dv > 0) + (dv == 2) - (du == 0))[k];
+  const Mesh_interval& s = net(i + du, j + dv)[k];
+  return (s - r) - (q - p);
+}
+
+// The hull of the Bernstein coefficients of the (du, dv)-th derivative of the homogeneous net.
 inline std::array<Mesh_interval, 4> derivative_hull(const Interval_net& net, int du, int dv)
 {
-  static const int differences[3][3] = {{1, 0, 0}, {-1, 1, 0}, {1, -2, 1}};
   const int m = net.degree_u(), n = net.degree_v();
   const int factor = (du > 0 ? m : 1) * (du > 1 ? m - 1 : 1) * (dv > 0 ? n : 1) *
                      (dv > 1 ? n - 1 : 1);
   std::array<Mesh_interval, 4> all{};
-  for (int i = 0; i <= m - du; ++i)
-    for (int j = 0; j <= n - dv; ++j)
-      for (int k = 0; k < (net.is_rational() ? 4 : 3); ++k)
+  for (int k = 0; k < (net.is_rational() ? 4 : 3); ++k)
+  {
+    for (int i = 0; i <= m - du; ++i)
+      for (int j = 0; j <= n - dv; ++j)
       {
-        Mesh_interval x(0);
-        for (int p = 0; p <= du; ++p)
-          for (int q = 0; q <= dv; ++q)
-            x += Mesh_interval(differences[du][p] * differences[dv][q]) * net(i + p, j + q)[k];
-        x *= Mesh_interval(factor);
+        const Mesh_interval x = difference(net, i, j, k, du, dv);
         all[k] = i + j == 0 ? x : hull(all[k], x);
       }
+    all[k] *= Mesh_interval(factor);
+  }
   return all;
 }
 

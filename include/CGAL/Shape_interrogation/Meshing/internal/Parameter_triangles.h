@@ -9,8 +9,8 @@
 #ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_PARAMETER_TRIANGLES_H
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_PARAMETER_TRIANGLES_H
 
-// Triangles over the parameter square of a patch that are divided at marked edges: those with one, two
-// or three marked edges are replaced by two, three or four, so that the result is conforming. A
+// Triangles over the parameter square of a patch that are divided at marked edges: those with one,
+// two or three marked edges are replaced by two, three or four, so that the result is conforming. A
 // triangle with a marked edge also gets its longest one marked, which keeps angles from becoming
 // small (Rivara's longest edge bisection).
 
@@ -76,7 +76,8 @@ public:
   }
   bool has_marks() const { return m_marks > 0; }
 
-  // Divides all marked edges, and the triangles at them. `check()` is called before each new vertex.
+  // Divides all marked edges, and the triangles at them. `check()` is called before each new
+  // vertex.
   template <class Check>
   void divide(Check check)
   {
@@ -97,7 +98,8 @@ public:
   }
 
 private:
-  // The vertices on the boundary, counterclockwise from u = v = 0: corners, poles, middles of sides.
+  // The vertices on the boundary, counterclockwise from u = v = 0: corners, poles, middles of
+  // sides.
   std::vector<int> add_boundary()
   {
     const std::int32_t n = parameter_end;

@@ -9,10 +9,11 @@
 #ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_PATCH_TRIANGULATION_H
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_PATCH_TRIANGULATION_H
 
-// Adaptive triangulation of one patch: which edges must be divided. Edges on the boundary are divided
-// where their curve is; triangles that are not proved to be near the patch get their worst edges
-// marked. It ends: the bound of a triangle goes to at most half the target when its free edges are
-// divided, and an edge that cannot be divided any more, or one vertex too many, is a refusal.
+// Adaptive triangulation of one patch: which edges must be divided. Edges on the boundary are
+// divided where their curve is; triangles that are not proved to be near the patch get their worst
+// edges marked. It ends: the bound of a triangle goes to at most half the target when its free
+// edges are divided, and an edge that cannot be divided any more, or one vertex too many, is a
+// refusal.
 
 #include <CGAL/Shape_interrogation/Meshing/internal/Parameter_triangles.h>
 

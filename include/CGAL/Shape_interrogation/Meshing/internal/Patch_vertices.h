@@ -9,9 +9,9 @@
 #ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_PATCH_VERTICES_H
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_PATCH_VERTICES_H
 
-// The vertices of the triangulation of one patch: dyadic parameters, the vertex of the mesh that each
-// stands for, and what is known about an edge between two of them. A side that is collapsed to a
-// point has one vertex, a pole; an edge from it leaves the side at right angles.
+// The vertices of the triangulation of one patch: dyadic parameters, the vertex of the mesh that
+// each stands for, and what is known about an edge between two of them. A side that is collapsed to
+// a point has one vertex, a pole; an edge from it leaves the side at right angles.
 
 #include <CGAL/Shape_interrogation/Meshing/internal/Edge_curves.h>
 
@@ -205,7 +205,8 @@ private:
     return d ? unit_vector(cross(d->u, d->v)) : Double_point{0, 0, 0};
   }
 
-  // The vector c for which S_u c_u + S_v c_v is nearest to half the second derivative along (du, dv).
+  // The vector c for which S_u c_u + S_v c_v is nearest to half the second derivative along (du,
+  // dv).
   std::array<double, 2> tangential_shift(const std::array<double, 2>& uv, double du, double dv) const
   {
     const auto d = m_double_patch.derivatives(uv);

@@ -9,10 +9,10 @@
 #ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_VERTEX_SHAPE_H
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_VERTEX_SHAPE_H
 
-// The vertex properties from the waist, with an error far below 1e-12 relative to the curvatures:
+// The vertex properties from the waist, with an error well below 1e-12 relative to the curvatures:
 // intervals first, exact numbers where those are too wide. The gap of the principal curvatures and
-// their directions come from M = 2 c w q^2 B - a w (q I - N N^T), which vanishes at umbilics only
-// to first order: M = l (d_max d_max^T - d_min d_min^T), kmax - kmin = l / (c w q^2 sqrt q).
+// their directions come from the traceless part of the shape operator in an orthonormal frame of the
+// tangent plane, which loses no digits near umbilics.
 
 #include <CGAL/Shape_interrogation/Analysis/curvatures.h>
 #include <CGAL/Shape_interrogation/Analysis/umbilics.h>
@@ -23,6 +23,7 @@
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -53,33 +54,42 @@ inline void set_curvatures(Vertex_shape& s, double k, double h, double gap)
   s.kmax = h < 0 ? (std::max)(-small, -large) : large;
 }
 
-// The frame right-handed with the unit normal in which M is diagonal.
-inline void set_directions(Vertex_shape& s, const Symmetric_matrix_3<double>& m)
+// An orthonormal frame of the tangent plane.
+inline std::array<Coordinates<double, 3>, 2> tangent_frame(const Coordinates<double, 3>& n)
 {
-  const Coordinates<double, 3>& n = s.normal;
   int least = 0;
   for (int i = 1; i < 3; ++i)
     if (std::abs(n[i]) < std::abs(n[least]))
       least = i;
   Coordinates<double, 3> axis{0, 0, 0};
   axis[least] = 1;
-  const Coordinates<double, 3> e1 = normalised(cross(axis, n)), e2 = cross(n, e1);
-  const Coordinates<double, 3> m1 = multiply(m, e1), m2 = multiply(m, e2);
-  const double angle = std::atan2(2 * dot(e2, m1), dot(e1, m1) - dot(e2, m2)) / 2;
-  for (int i = 0; i < 3; ++i)
-    s.direction_max[i] = std::cos(angle) * e1[i] + std::sin(angle) * e2[i];
-  s.direction_max = normalised(s.direction_max);
-  s.direction_min = normalised(cross(s.direction_max, n));
+  const Coordinates<double, 3> e1 = normalised(cross(axis, n));
+  return {e1, cross(n, e1)};
 }
 
+// e1'M e1 - e2'M e2 and 2 e1'M e2: the length of this vector is the difference of the eigenvalues, and
+// half its angle leads from e1 to the direction of the larger one.
 template <class NT>
-NT squared_norm(const Symmetric_matrix_3<NT>& m)
+std::array<NT, 2> traceless_part(const Symmetric_matrix_3<NT>& m,
+                                 const std::array<Coordinates<double, 3>, 2>& frame)
 {
-  NT s(0);
+  std::array<Coordinates<NT, 3>, 2> e;
+  for (int k = 0; k < 2; ++k)
+    for (int i = 0; i < 3; ++i)
+      e[k][i] = NT(frame[k][i]);
+  const Coordinates<NT, 3> m1 = multiply(m, e[0]), m2 = multiply(m, e[1]);
+  return {NT(dot(e[0], m1) - dot(e[1], m2)), NT(NT(2) * dot(e[0], m2))};
+}
+
+// Directions right-handed with the unit normal.
+inline void set_directions(Vertex_shape& s, const std::array<Coordinates<double, 3>, 2>& frame,
+                           const std::array<double, 2>& traceless)
+{
+  const double angle = std::atan2(traceless[1], traceless[0]) / 2;
   for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      s += CGAL::square(m(i, j));
-  return s;
+    s.direction_max[i] = std::cos(angle) * frame[0][i] + std::sin(angle) * frame[1][i];
+  s.direction_max = normalised(s.direction_max);
+  s.direction_min = normalised(cross(s.direction_max, s.normal));
 }
 
 inline double middle(const Interval_nt<false>& x) { return number_cast<double>(x); }
@@ -95,41 +105,35 @@ struct Enclosed_shape
 inline Enclosed_shape enclosed_shape(const Local_shape_3<Interval_nt<false>>& s)
 {
   using NT = Interval_nt<false>;
-  const Symmetric_matrix_3<NT> m = umbilic_deviation(s);
-  const NT q = s.normal_squared_length(), root = CGAL::sqrt(q);
-  const NT l = CGAL::sqrt(nonnegative_part(squared_norm(m)) / NT(2));
-  const NT gap = l / (s.scale() * s.form_denominator() * CGAL::square(q) * root);
-  const NT k = gaussian_curvature(s), h = s.trace_numerator() / (NT(2) * s.scale() * q * root);
-  const double scale = std::abs(middle(h)) + middle(gap) / 2;
-  const double enough = 1e-13;
-  double normal_width = 0, form_width = 0;
   Coordinates<double, 3> normal;
-  Symmetric_matrix_3<double> form;
+  double normal_width = 0;
   for (int i = 0; i < 3; ++i)
   {
     normal[i] = middle(s.normal()[i]);
     normal_width = (std::max)(normal_width, width(s.normal()[i]));
-    for (int j = i; j < 3; ++j)
-    {
-      form(i, j) = middle(m(i, j));
-      form_width = (std::max)(form_width, width(m(i, j)));
-    }
   }
   Enclosed_shape e;
   e.shape.normal = normalised(normal);
+  const auto frame = tangent_frame(e.shape.normal);
+  const std::array<NT, 2> t = traceless_part(s.form(), frame);
+  const NT q = s.normal_squared_length(), root = CGAL::sqrt(q);
+  const NT length = CGAL::sqrt(CGAL::square(t[0]) + CGAL::square(t[1]));
+  const NT gap = length / (s.form_denominator() * root);
+  const NT k = gaussian_curvature(s), h = s.trace_numerator() / (NT(2) * s.scale() * q * root);
+  const double scale = std::abs(middle(h)) + middle(gap) / 2, enough = 1e-12;
   e.is_narrow = width(h) <= enough * scale && width(gap) <= enough * scale &&
                 width(k) <= enough * scale * scale && normal_width <= enough * root.inf() &&
-                form_width <= enough * l.inf();
+                (std::max)(width(t[0]), width(t[1])) <= enough * length.inf();
   set_curvatures(e.shape, middle(k), middle(h), middle(gap));
-  if (l.inf() > 0)
-    set_directions(e.shape, form);
+  if (length.inf() > 0)
+    set_directions(e.shape, frame, {middle(t[0]), middle(t[1])});
   return e;
 }
 
 inline Vertex_shape exact_shape(const Local_shape_3<Exact_rational>& s)
 {
   Vertex_shape v;
-  Coordinates<Exact_rational, 3> n = s.normal();
+  const Coordinates<Exact_rational, 3>& n = s.normal();
   const Exact_rational largest = (std::max)({Exact_rational(CGAL::abs(n[0])),
                                              Exact_rational(CGAL::abs(n[1])),
                                              Exact_rational(CGAL::abs(n[2]))});
@@ -140,22 +144,25 @@ inline Vertex_shape exact_shape(const Local_shape_3<Exact_rational>& s)
   set_curvatures(v, number_cast<double>(gaussian_curvature(s)),
                  sign_of_mean_curvature(s) == NEGATIVE ? -h : h,
                  std::sqrt(number_cast<double>(squared_curvature_gap(s))));
+  // This matrix has no trace in exact numbers already: rounding its entries costs nothing.
   const Symmetric_matrix_3<Exact_rational> m = umbilic_deviation(s);
   Exact_rational scale(0);
   for (int i = 0; i < 3; ++i)
-    scale += CGAL::abs(m(i, 0)) + CGAL::abs(m(i, 1)) + CGAL::abs(m(i, 2));
+    for (int j = i; j < 3; ++j)
+      scale += CGAL::abs(m(i, j));
   if (CGAL::is_zero(scale))
     return v;
-  Symmetric_matrix_3<double> form;
+  Symmetric_matrix_3<double> rounded;
   for (int i = 0; i < 3; ++i)
     for (int j = i; j < 3; ++j)
-      form(i, j) = number_cast<double>(Exact_rational(m(i, j) / scale));
-  set_directions(v, form);
+      rounded(i, j) = number_cast<double>(Exact_rational(m(i, j) / scale));
+  const auto frame = tangent_frame(v.normal);
+  set_directions(v, frame, traceless_part(rounded, frame));
   return v;
 }
 
-// `enclose()` and `evaluate()` return the local shape in intervals and in exact numbers. Where there
-// are no exact numbers the middle of the intervals is taken.
+// `enclose()` and `evaluate()` return the local shape in intervals and in exact numbers. Where
+// there are no exact numbers the middle of the intervals is taken.
 template <class Enclose, class Evaluate>
 Result<Vertex_shape> vertex_shape(Enclose enclose, Evaluate evaluate)
 {

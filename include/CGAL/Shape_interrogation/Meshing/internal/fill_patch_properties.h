@@ -9,7 +9,8 @@
 #ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_FILL_PATCH_PROPERTIES_H
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_FILL_PATCH_PROPERTIES_H
 
-// The properties of the vertices of a mesh of patches, each computed from a patch at its parameters.
+// The properties of the vertices of a mesh of patches, each computed from a patch at its
+// parameters.
 
 #include <CGAL/Shape_interrogation/Meshing/Shape_mesh.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/Vertex_shape.h>

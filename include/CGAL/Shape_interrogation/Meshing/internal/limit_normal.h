@@ -9,9 +9,10 @@
 #ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_LIMIT_NORMAL_H
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_LIMIT_NORMAL_H
 
-// The limit of the unit normal at a collapsed edge. There S = P + t D(s) + O(t^2) with t the distance
-// from the edge in the parameter domain, so N = +- t D x D' + O(t^2): the limit is the same for all s
-// when D stays in a plane and turns one way, which Bernstein coefficients of det(n, D, D') prove.
+// The limit of the unit normal at a collapsed edge. There S = P + t D(s) + O(t^2) with t the
+// distance from the edge in the parameter domain, so N = +- t D x D' + O(t^2): the limit is the
+// same for all s when D stays in a plane and turns one way, which Bernstein coefficients of det(n,
+// D, D') prove.
 
 #include <CGAL/Shape_interrogation/Surfaces/Bezier_surface_3.h>
 
@@ -96,7 +97,8 @@ inline int turning_sign(const std::vector<Exact_vector>& d, const Exact_vector& 
   return int(positive && !negative) - int(negative && !positive);
 }
 
-// A positive multiple of the limit of the unit normal at a collapsed edge, if it is proved to exist.
+// A positive multiple of the limit of the unit normal at a collapsed edge, if it is proved to
+// exist.
 inline std::optional<Exact_vector> limit_normal(const Bezier_surface_3<Exact_rational>& patch,
                                                 Patch_edge edge)
 {

@@ -11,9 +11,9 @@
 
 // How far a patch is from a flat triangle between three of its points, not counting how the points
 // slide along the patch: a point x = sum l_i x_i of the triangle is compared with S at
-// f(x) = x + sum_{i<j} l_i l_j c_ij, where the shift c_ij of an edge can be chosen at will. With the
-// second derivatives in H +- R and the first in J over a box that contains x and f(x), the distance
-// of the two points is at most
+// f(x) = x + sum_{i<j} l_i l_j c_ij, where the shift c_ij of an edge can be chosen at will. With
+// the second derivatives in H +- R and the first in J over a box that contains x and f(x), the
+// distance of the two points is at most
 //   | sum_{i<j} l_i l_j (1/2 H(d_ij, d_ij) - J c_ij) |
 //     + 1/8 (R_uu |u|^2 + 2 R_uv |u| |v| + R_vv |v|^2),  d_ij = x_i - x_j,
 // |u|, |v| the extent of the triangle (Taylor at x; the variance of numbers in [0, a] is <= a^2/4).
@@ -49,7 +49,8 @@ inline Interval_pair difference(const Interval_pair& p, const Interval_pair& q)
   return {p[0] - q[0], p[1] - q[1]};
 }
 
-// A vector in the middle of a box, and the length that its distance to the box's points has at most.
+// A vector in the middle of a box, and the length that its distance to the box's points has at
+// most.
 struct Middle_and_radius
 {
   explicit Middle_and_radius(const Interval_vector& box)
@@ -66,8 +67,8 @@ struct Middle_and_radius
   double radius;
 };
 
-// The maximum of sum_{i<j} l_i l_j e_ij over the triangle: if the e are the squared sides of an acute
-// triangle this is its squared circumradius, else a quarter of the largest.
+// The maximum of sum_{i<j} l_i l_j e_ij over the triangle: if the e are the squared sides of an
+// acute triangle this is its squared circumradius, else a quarter of the largest.
 inline double largest_mixture(std::array<double, 3> e)
 {
   std::sort(e.begin(), e.end());
@@ -165,8 +166,8 @@ inline Triangle_bound triangle_bound(const Derivative_box& box,
 }
 
 // For a triangle with a pole, which stands for all of the patch between its opposite edge and the
-// collapsed side. On a line across, from the pole to a point of that edge, the patch is compared with
-// the chord, and the end of the chord with the edge. `axis` is the parameter that goes across.
+// collapsed side. On a line across, from the pole to a point of that edge, the patch is compared
+// with the chord, and the end of the chord with the edge. `axis` is the parameter that goes across.
 inline Triangle_bound fan_bound(const Derivative_box& box,
                                 const std::array<Interval_pair, 3>& corners,
                                 const Interval_pair& shift, int pole, int axis)

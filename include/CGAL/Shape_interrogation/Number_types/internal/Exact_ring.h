@@ -102,7 +102,8 @@ struct Number_cast<internal::Exact_ring, From, std::enable_if_t<!std::is_arithme
 };
 
 template <>
-struct Elementary_functions<internal::Exact_ring> : internal::No_ring_functions<internal::Exact_ring>
+struct Elementary_functions<internal::Exact_ring>
+  : internal::No_ring_functions<internal::Exact_ring>
 {};
 
 } // namespace Shape_interrogation

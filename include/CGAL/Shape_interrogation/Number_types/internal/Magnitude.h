@@ -9,9 +9,9 @@
 #ifndef CGAL_SHAPE_INTERROGATION_NUMBER_TYPES_INTERNAL_MAGNITUDE_H
 #define CGAL_SHAPE_INTERROGATION_NUMBER_TYPES_INTERNAL_MAGNITUDE_H
 
-// Floating point with a running magnitude: a value v, a bound m on all that was added up to make it,
-// and the number k of roundings on the longest way. |v - exact| <= k u m (1 + small), u = 2^-53.
-// No rounding modes and no branches: the first stage of the filter.
+// Floating point with a running magnitude: a value v, a bound m on all that was added up to make
+// it, and the number k of roundings on the longest way. |v - exact| <= k u m (1 + small), u =
+// 2^-53. No rounding modes and no branches: the first stage of the filter.
 
 #include <CGAL/Shape_interrogation/Number_types/Errors.h>
 #include <CGAL/Shape_interrogation/Number_types/internal/No_ring_functions.h>
@@ -34,8 +34,9 @@ public:
 
   double value() const { return m_v; }
 
-  // A bound on the error: k roundings of at most u m each (2u when the caller rounds upward), and as
-  // many of m itself. The factor 4 covers both as long as k u is small; beyond, nothing is certified.
+  // A bound on the error: k roundings of at most u m each (2u when the caller rounds upward), and
+  // as many of m itself. The factor 4 covers both as long as k u is small; beyond, nothing is
+  // certified.
   double error() const
   {
     return m_k < cap ? m_k * (4 * unit()) * m_m : HUGE_VAL;

@@ -10,7 +10,8 @@
 #define CGAL_SHAPE_INTERROGATION_SURFACES_INTERNAL_ELIMINATION_PLAN_H
 
 // The order of a sparse Gaussian elimination with all its fill, fixed once and replayed at many
-// points. Found by Markowitz pivoting on the values at one point, which also decides the rank there.
+// points. Found by Markowitz pivoting on the values at one point, which also decides the rank
+// there.
 
 #include <CGAL/Shape_interrogation/Differentiation/Sparse_pattern.h>
 #include <CGAL/Shape_interrogation/Number_types/Number_type_traits.h>

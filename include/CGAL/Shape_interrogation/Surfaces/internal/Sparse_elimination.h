@@ -27,8 +27,10 @@ class Sparse_elimination
 public:
   enum class Status { OK, BAD_PIVOT, RANK_TOO_HIGH };
 
-  // Factors the matrix whose pattern entries are `values`. BAD_PIVOT asks for another plan.
-  Status factor(const Elimination_plan& plan, const std::vector<NT>& values)
+  // Factors the matrix whose pattern entries are `values`. BAD_PIVOT asks for another plan. A plan
+  // made from these values has judged the redundant rows already.
+  Status factor(const Elimination_plan& plan, const std::vector<NT>& values,
+                bool plan_is_from_values = false)
   {
     m_plan = &plan;
     m_slots.resize(plan.slots);
@@ -44,7 +46,7 @@ public:
       for (int r = pivot.first_reduction; r < pivot.last_reduction; ++r)
         reduce(plan.reductions[r], m_inverse[k]);
     }
-    return remainders_vanish(values) ? Status::OK : Status::RANK_TOO_HIGH;
+    return plan_is_from_values || remainders_vanish(values) ? Status::OK : Status::RANK_TOO_HIGH;
   }
 
   // The kernel vector that is 1 in the free column `index` and 0 in the others.

@@ -29,25 +29,24 @@ struct Tensor_derivatives
 
 // Sums the control points, `stride` numbers from row to row, over both bases.
 template <int Dim, class NT, int DegreeU, int DegreeV>
-Tensor_derivatives<NT, Dim>
-tensor_derivatives(const NT* net, int stride, const Basis_values<NT, DegreeU>& bu,
-                   const Basis_values<NT, DegreeV>& bv)
+Tensor_derivatives<NT, Dim> tensor_derivatives(const NT* net, int stride,
+                                               const Basis_values<NT, DegreeU>& bu,
+                                               const Basis_values<NT, DegreeV>& bv)
 {
-  const auto first = sum_row<Dim>(net, bv);
-  Tensor_derivatives<NT, Dim> t{
-    multiple<Dim>(bu(0, 0), first[0].data()), multiple<Dim>(bu(1, 0), first[0].data()),
-    multiple<Dim>(bu(0, 0), first[1].data()), multiple<Dim>(bu(2, 0), first[0].data()),
-    multiple<Dim>(bu(1, 0), first[1].data()), multiple<Dim>(bu(0, 0), first[2].data())};
-  for (int i = 1; i <= bu.degree(); ++i)
-  {
-    const auto row = sum_row<Dim>(net + i * stride, bv);
-    add_multiple(t.s, bu(0, i), row[0].data());
-    add_multiple(t.u, bu(1, i), row[0].data());
-    add_multiple(t.v, bu(0, i), row[1].data());
-    add_multiple(t.uu, bu(2, i), row[0].data());
-    add_multiple(t.uv, bu(1, i), row[1].data());
-    add_multiple(t.vv, bu(0, i), row[2].data());
-  }
+  Tensor_derivatives<NT, Dim> t;
+  t.s.fill(NT(0));
+  t.u = t.v = t.uu = t.uv = t.vv = t.s;
+  for (int d = 0; d < Dim; ++d)
+    for (int i = 0; i <= bu.degree(); ++i)
+    {
+      const std::array<NT, 3> row = sum_row(net + i * stride + d, Dim, bv);
+      t.s[d] += bu(0, i) * row[0];
+      t.u[d] += bu(1, i) * row[0];
+      t.v[d] += bu(0, i) * row[1];
+      t.uu[d] += bu(2, i) * row[0];
+      t.uv[d] += bu(1, i) * row[1];
+      t.vv[d] += bu(0, i) * row[2];
+    }
   return t;
 }
 
