@@ -31,6 +31,15 @@ std::array<Scalar, d> make_scalars(const std::array<NT, d>& numbers)
   return scalars;
 }
 
+// A value whose sign is known exactly to be zero is zero, whatever its enclosure.
+template <class NT>
+Signed_scalar signed_scalar(Scalar value, Sign_decision sign, std::optional<Scalar> squared)
+{
+  if (si::Number_type_traits<NT>::is_exact && sign == 0)
+    value = Scalar{0.0, "0", {}};
+  return {std::move(value), sign, std::move(squared)};
+}
+
 template <class NT>
 void describe_directions(const si::Local_shape_3<NT>& s, Surface_answer& a)
 {
@@ -53,9 +62,9 @@ Surface_answer describe(const si::Local_shape_3<NT>& s)
   a.normal_squared_length = make_scalar(s.normal_squared_length());
   a.gaussian_curvature = {make_scalar(si::gaussian_curvature(s)),
                           sign_of(si::sign_of_gaussian_curvature(s)), {}};
-  a.mean_curvature = {
+  a.mean_curvature = signed_scalar<NT>(
     rooted(s, [](const auto& shape) { return make_scalar(si::mean_curvature(shape)); }),
-    sign_of(si::sign_of_mean_curvature(s)), make_scalar(si::squared_mean_curvature(s))};
+    sign_of(si::sign_of_mean_curvature(s)), make_scalar(si::squared_mean_curvature(s)));
   a.principal_curvatures = rooted(
     s, [](const auto& shape) { return make_scalars(si::principal_curvatures(shape)); });
   a.umbilic = decision_of(si::is_umbilic(s));
@@ -77,8 +86,8 @@ Signed_scalar describe_normal_curvature(const si::Local_shape_3<NT>& s,
     const auto w = si::cast_argument<To>(v);
     return make_scalar(si::normal_curvature(shape, w));
   };
-  return {rooted(s, value), sign_of(si::sign_of_normal_curvature(s, v)),
-          make_scalar(si::squared_normal_curvature(s, v))};
+  return signed_scalar<NT>(rooted(s, value), sign_of(si::sign_of_normal_curvature(s, v)),
+                           make_scalar(si::squared_normal_curvature(s, v)));
 }
 
 template <class NT>
@@ -95,8 +104,8 @@ Curve_answer describe(const si::Local_shape_2<NT>& s)
     const To root = si::Elementary_functions<To>::sqrt(shape.normal_squared_length());
     return make_scalar(To(shape.shape_number() / root));
   };
-  a.curvature = {rooted(s, value), sign_of(si::sign_decision(s.numerator())),
-                 make_scalar(squared)};
+  a.curvature = signed_scalar<NT>(rooted(s, value), sign_of(si::sign_decision(s.numerator())),
+                                  make_scalar(squared));
   const auto hessian = [](const auto& shape) {
     using To = typename std::decay_t<decltype(shape)>::FT;
     const To root = si::Elementary_functions<To>::sqrt(shape.normal_squared_length());

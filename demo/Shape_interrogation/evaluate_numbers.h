@@ -26,7 +26,6 @@ namespace si = CGAL::Shape_interrogation;
 
 using Interval = CGAL::Interval_nt<true>;
 using Quadratic = si::Quadratic_field; // the exact type of the program
-using Real = CORE::Expr;               // for values with several roots
 
 template <class NT>
 NT evaluate(const Number& number)

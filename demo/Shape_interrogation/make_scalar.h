@@ -12,12 +12,12 @@
 // From a number of any type to the scalar of the report, and from its decisions to the report's.
 
 #include "Answers.h"
-#include "evaluate_numbers.h"
+#include "Wide_interval.h"
 
 #include <CGAL/Shape_interrogation/Number_types/reduced_square_root.h>
 
+#include <algorithm>
 #include <cmath>
-#include <limits>
 #include <sstream>
 #include <string>
 #include <utility>
@@ -63,52 +63,90 @@ inline Scalar make_scalar(const Interval& x)
   return s;
 }
 
-// The two doubles around an exact real, or the one that it is.
-inline std::pair<double, double> enclose(const Real& x)
+// Without `approx` where the ends have different nearest doubles.
+inline Scalar make_scalar(const Wide& x)
 {
-  std::pair<double, double> ends = CGAL::to_interval(x);
-  if (!std::isfinite(ends.first) || !std::isfinite(ends.second))
-    return ends;
-  if (x == Real(ends.first))
-    return {ends.first, ends.first};
-  if (x == Real(ends.second))
-    return {ends.second, ends.second};
-  while (std::nextafter(ends.first, ends.second) < ends.second)
-  {
-    const double middle = ends.first / 2 + ends.second / 2;
-    const CGAL::Comparison_result side = CGAL::compare(x, Real(middle));
-    if (side == CGAL::EQUAL)
-      return {middle, middle};
-    (side == CGAL::LARGER ? ends.first : ends.second) = middle;
-  }
-  return ends;
+  std::pair<double, double> ends(lower_end(x, MPFR_RNDD), upper_end(x, MPFR_RNDU));
+  if (!(ends.first <= ends.second)) // not a number: a quotient by an interval around zero
+    ends = Interval::largest().pair();
+  const double low = lower_end(x, MPFR_RNDN), high = upper_end(x, MPFR_RNDN);
+  if (ends.first == ends.second)
+    return Scalar{low, exact_text(Rational(low)), {}};
+  if (low != high || !std::isfinite(low))
+    return Scalar{{}, "", ends};
+  return Scalar{low, "", ends};
 }
 
-inline Scalar make_scalar(const Real& x)
+inline bool is_sharp(const Scalar& s) { return s.approx.has_value(); }
+template <class T, std::size_t n>
+bool is_sharp(const std::array<T, n>& values)
 {
-  const std::pair<double, double> ends = enclose(x);
-  if (ends.first == ends.second)
-    return Scalar{ends.first, exact_text(Rational(ends.first)), {}};
-  if (!std::isfinite(ends.first) || !std::isfinite(ends.second))
-    return Scalar{{}, "", ends};
-  const bool is_low = x + x < Real(ends.first) + Real(ends.second);
-  return Scalar{is_low ? ends.first : ends.second, "", ends};
+  return std::all_of(values.begin(), values.end(), [](const T& x) { return is_sharp(x); });
+}
+template <class T>
+bool is_sharp(const std::optional<T>& value) { return value && is_sharp(*value); }
+
+// Approximates what could not be made sharp: zeros, which no enclosure can tell.
+inline void approximate(Scalar& s)
+{
+  if (s.approx || !std::isfinite(s.interval->first) || !std::isfinite(s.interval->second))
+    return;
+  const bool has_zero = s.interval->first <= 0 && s.interval->second >= 0;
+  s.approx = has_zero ? 0.0 : s.interval->first / 2 + s.interval->second / 2;
+}
+template <class T, std::size_t n>
+void approximate(std::array<T, n>& values)
+{
+  for (T& x : values)
+    approximate(x);
+}
+template <class T>
+void approximate(std::optional<T>& value)
+{
+  if (value)
+    approximate(*value);
+}
+
+// The answer in intervals of as many digits as the nearest doubles need.
+template <class Ask>
+auto ask_sharply(Ask ask)
+{
+  const unsigned most_digits = 640;
+  for (unsigned digits = 40;; digits *= 2)
+  {
+    Wide::default_precision(digits);
+    auto answer = ask();
+    if (digits < most_digits && !is_sharp(answer))
+      continue;
+    approximate(answer);
+    return answer;
+  }
 }
 
 // Exact texts have a size that a reader can still take.
-template <class Exact>
-Scalar make_exact_scalar(const Exact& x)
+constexpr std::size_t longest_text = 100000;
+
+inline Scalar make_scalar(const Rational& x)
 {
+  const double approx = si::number_cast<double>(x);
   std::string text = exact_text(x);
-  if (text.empty() || text.size() > 100000)
-    return make_scalar(si::number_cast<Real>(x));
-  return Scalar{si::number_cast<double>(x), std::move(text), {}};
+  if (text.size() > longest_text)
+    return Scalar{approx, "", CGAL::to_interval(x)};
+  return Scalar{approx, std::move(text), {}};
 }
 
-inline Scalar make_scalar(const Rational& x) { return make_exact_scalar(x); }
-inline Scalar make_scalar(const Quadratic& x) { return make_exact_scalar(x); }
+inline Scalar make_scalar(const Quadratic& x)
+{
+  if (x.is_rational())
+    return make_scalar(x.rational_part());
+  const Scalar s = ask_sharply([&x] { return make_scalar(si::number_cast<Wide>(x)); });
+  std::string text = exact_text(x);
+  if (!text.empty() && text.size() <= longest_text)
+    return Scalar{s.approx, std::move(text), {}};
+  return s;
+}
 
-// f(shape), a value that may have a root: in the field if it is there, else as an exact real.
+// f(shape), values that may have roots: in the field if they are there, else as intervals.
 template <class Shape, class F>
 auto rooted(const Shape& shape, F f)
 {
@@ -124,7 +162,7 @@ auto rooted(const Shape<Quadratic>& shape, F f) -> decltype(f(shape))
   }
   catch (const si::Not_algebraic_error&) {}
   catch (const si::Mixed_roots_error&) {}
-  return f(shape.template cast<Real>());
+  return ask_sharply([&] { return f(shape.template cast<Wide>()); });
 }
 
 inline Sign_decision sign_of(CGAL::Sign sign) { return static_cast<int>(sign); }

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 
-// One ellipsoid as an implicit surface, as a parametric surface and as a system of four equations in
-// five variables, of which one is redundant: the second-order data are the same.
+// One ellipsoid as an implicit surface, a parametric surface and a system of four equations in five
+// variables, of which one is redundant: the second-order data are the same.
 
 #include <CGAL/Shape_interrogation/Analysis/umbilics.h>
 #include <CGAL/Shape_interrogation/Differentiation/parse_expression.h>

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 
-// An exact umbilic, points 2^-60 and 1/1024 beside it, and an umbilic without finite decimals: double
-// is wrong about two of them. The filter decides all four, and tells by what means.
+// An exact umbilic, points 2^-60 and 1/1024 beside it, and an umbilic without finite decimals:
+// double is wrong about two of them. The filter decides all four, and tells by what means.
 
 #include <CGAL/Shape_interrogation/Number_types/Filtered.h>
 #include <CGAL/Shape_interrogation/Surfaces/Implicit_surface_3.h>

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 
-// A NURBS surface that is a plane up to the knot u = 1 and a quarter of a cylinder from there on. At
-// the knot it has one tangent plane but two curvatures; both sides are reported, never a mean.
+// A NURBS surface that is a plane up to the knot u = 1 and a quarter of a cylinder from there on.
+// At the knot it has one tangent plane but two curvatures; both are reported, never a mean.
 
 #include <CGAL/Shape_interrogation/Analysis/umbilics.h>
 #include <CGAL/Shape_interrogation/Surfaces/Nurbs_surface_3.h>

@@ -6,16 +6,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 
-// The Hessian of the oriented distance from three normal curvatures: Hartmann's case formulas divide
-// by products of components of the normal, the projector form does not. Both are exact in exact
-// types; in double the case formulas lose all digits near a vanishing component.
+// The Hessian of the oriented distance from three normal curvatures: Hartmann's case formulas
+// divide by products of components of the normal, the projector form does not. In exact types they
+// agree; in double the case formulas lose all digits near a vanishing component.
 
 #include <CGAL/Shape_interrogation/Analysis/hessian_by_cases.h>
 #include <CGAL/Shape_interrogation/Analysis/normal_curvature.h>
 #include <CGAL/Shape_interrogation/Number_types/cast_argument.h>
 
 #include <cmath>
-#include <iostream>
+#include <cstdio>
 
 using namespace CGAL::Shape_interrogation;
 using Exact = CGAL::Exact_rational;
@@ -42,7 +42,7 @@ double error(const Symmetric_matrix_3<double>& m, const Symmetric_matrix_3<Exact
 int main()
 {
   bool agree = true;
-  std::cout << "h_z      pattern   case formulas   projector form\n";
+  std::printf("h_z      pattern   case formulas   projector form\n");
   for (int k = 0; k <= 60; k += 10)
   {
     // A rational unit normal with h_z near 2^-k.
@@ -62,9 +62,9 @@ int main()
     // The same in double: the rounded normal and the rounded curvatures.
     const auto h_double = cast_argument<double>(h);
     const auto cases = hessian_by_cases(h_double, pattern, cast_argument<double>(kappa));
-    std::cout << "2^-" << k << '\t' << to_string(pattern) << "   error " << error(cases, truth)
-              << "\terror " << error(make_shape(h_double).shape_matrix(), truth) << '\n';
+    std::printf("2^-%-5d %-9s error %.2e  error %.2e\n", k, to_string(pattern),
+                error(cases, truth), error(make_shape(h_double).shape_matrix(), truth));
   }
-  std::cout << (agree ? "in the rationals both agree exactly\n" : "the exact matrices differ\n");
+  std::puts(agree ? "in the rationals both agree exactly" : "the exact matrices differ");
   return agree ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -457,6 +457,17 @@ TEST(Bezier_surface, casts_what_was_given)
   EXPECT_EQ(sphere.control_point(2, 2)[2], Quadratic_field(2));
 }
 
+TEST(Bezier_surface, is_exact_with_a_square_root)
+{
+  // u = sqrt(2) - 1 is halfway to the pole.
+  using F = Quadratic_field;
+  const auto s = sphere_octant().cast<F>()({F(Q(-1), Q(1), Q(2)), F(fraction(1, 3))});
+  ASSERT_TRUE(s);
+  EXPECT_EQ(s->point()[2], F(Q(0), Q(1), Q(2)));
+  EXPECT_EQ(gaussian_curvature(*s), F(fraction(1, 4)));
+  EXPECT_EQ(sign_decision(umbilic_discriminant(*s)), CGAL::ZERO);
+}
+
 void expect_contains(const Interval& x, const Q& exact)
 {
   EXPECT_LE(Q(x.inf()), exact);

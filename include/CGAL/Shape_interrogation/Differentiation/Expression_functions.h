@@ -44,47 +44,63 @@ inline Expression record_function(Expression_operation op, const Expression& x)
 } // namespace internal
 #endif
 
-/// \ingroup PkgShapeInterrogationDifferentiation
-/// \brief records the function of the same name.
-/// @{
+//! \ingroup PkgShapeInterrogationDifferentiation
+//! \brief records the square of `x`.
 inline Expression square(const Expression& x) { return pow(x, 2); }
+//! \ingroup PkgShapeInterrogationDifferentiation
+//! \brief records the square root of `x`.
 inline Expression sqrt(const Expression& x)
 {
   return internal::record_function(internal::Expression_operation::SQRT, x);
 }
+//! \ingroup PkgShapeInterrogationDifferentiation
+//! \brief records the exponential function of `x`.
 inline Expression exp(const Expression& x)
 {
   return internal::record_function(internal::Expression_operation::EXP, x);
 }
+//! \ingroup PkgShapeInterrogationDifferentiation
+//! \brief records the natural logarithm of `x`.
 inline Expression log(const Expression& x)
 {
   return internal::record_function(internal::Expression_operation::LOG, x);
 }
+//! \ingroup PkgShapeInterrogationDifferentiation
+//! \brief records the sine of `x`.
 inline Expression sin(const Expression& x)
 {
   return internal::record_function(internal::Expression_operation::SIN, x);
 }
+//! \ingroup PkgShapeInterrogationDifferentiation
+//! \brief records the cosine of `x`.
 inline Expression cos(const Expression& x)
 {
   return internal::record_function(internal::Expression_operation::COS, x);
 }
+//! \ingroup PkgShapeInterrogationDifferentiation
+//! \brief records the tangent of `x`.
 inline Expression tan(const Expression& x)
 {
   return internal::record_function(internal::Expression_operation::TAN, x);
 }
+//! \ingroup PkgShapeInterrogationDifferentiation
+//! \brief records the inverse sine of `x`.
 inline Expression asin(const Expression& x)
 {
   return internal::record_function(internal::Expression_operation::ASIN, x);
 }
+//! \ingroup PkgShapeInterrogationDifferentiation
+//! \brief records the inverse cosine of `x`.
 inline Expression acos(const Expression& x)
 {
   return internal::record_function(internal::Expression_operation::ACOS, x);
 }
+//! \ingroup PkgShapeInterrogationDifferentiation
+//! \brief records the inverse tangent of `x`.
 inline Expression atan(const Expression& x)
 {
   return internal::record_function(internal::Expression_operation::ATAN, x);
 }
-/// @}
 
 #ifndef DOXYGEN_RUNNING
 

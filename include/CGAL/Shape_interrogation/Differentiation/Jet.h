@@ -150,6 +150,8 @@ public:
   friend Jet operator*(const NT& s, const Jet& a) { return a * s; }
   friend Jet operator/(const Jet& a, const NT& s)
   {
+    if (CGAL::certainly(is_zero_decision(s)))
+      refuse_divisor();
     Jet r;
     r.m_mask = a.m_mask;
     internal::static_for<size>([&](auto k) { if (a.has(k)) r.m_c[k] = a.m_c[k] / s; });
@@ -180,7 +182,7 @@ public:
   Jet compose(const std::array<NT, Order + 1>& t) const
   {
     Jet nilpotent = *this;
-    nilpotent.m_mask &= ~1u;
+    nilpotent.m_mask &= ~1ull;
     Jet r(t[Order]);
     for (int k = Order; k-- > 0;)
     {
@@ -203,7 +205,7 @@ public:
   Jet reciprocal() const
   {
     if (!has(0) || CGAL::certainly(is_zero_decision(m_c[0])))
-      throw Division_by_zero_error("division by an expression that is zero at this point");
+      refuse_divisor();
     std::array<NT, Order + 1> t;
     t[0] = NT(1) / m_c[0];
     for (int k = 1; k <= Order; ++k)
@@ -215,6 +217,11 @@ public:
   }
 
 private:
+  [[noreturn]] static void refuse_divisor()
+  {
+    throw Division_by_zero_error("division by an expression that is zero at this point");
+  }
+
   static constexpr bool is_light = Number_type_traits<NT>::is_light;
 
   // The operations are inlined into the caller for light types only: there the masks become

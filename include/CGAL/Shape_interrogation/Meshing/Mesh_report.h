@@ -47,7 +47,9 @@ struct Mesh_report
 {
   std::size_t vertices = 0;           //!< number of vertices
   std::size_t faces = 0;              //!< number of triangles
-  bool manifold = true;               //!< whether no vertex had to be doubled to make it one
+  //! whether the surfaces meet as in a manifold: each common edge has two of them, with the same
+  //! orientation (at other edges the mesh has its vertices twice)
+  bool manifold = true;
   std::size_t boundary_edges = 0;     //!< number of edges with one triangle
   std::size_t components = 0;         //!< number of connected components
   int euler_characteristic = 0;       //!< vertices - edges + faces

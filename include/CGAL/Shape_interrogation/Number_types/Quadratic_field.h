@@ -49,10 +49,14 @@ public:
   explicit Quadratic_field(double a) : m_x(number_cast<Rational>(a)) {}
   Quadratic_field(const Rational& a) : m_x(a) {}           //!< constructs a rational number.
 
-  //! constructs \f$ a + b \sqrt c \f$. \pre `c` is positive
+  //! constructs \f$ a + b \sqrt c \f$, which is rational if the root is. \pre `c` is positive
   Quadratic_field(const Rational& a, const Rational& b, const Rational& c) : m_x(a, b, c)
   {
     CGAL_precondition_msg(CGAL::is_positive(c), "the root of a quadratic field must be positive");
+    // The norm, by which a quotient divides, is zero only for zero if c is not a square.
+    Rational root;
+    if (internal::has_rational_root(c, root))
+      m_x = Extension(Rational(a + b * root));
     reduce();
   }
 

@@ -36,7 +36,8 @@ namespace Shape_interrogation {
  * shape are free of division, for rational patches too: the frame \f$ W^2 S_u, W^2 S_v \f$ has the
  * normal \f$ W^4 \, S_u \times S_v \f$ , which keeps the orientation for either sign of \f$ W \f$.
  *
- * Const calls are thread-safe. A call for degrees up to seven allocates nothing by itself.
+ * Const calls are thread-safe. For degrees up to seven a call in an inexact number type allocates
+ * nothing.
  *
  * \tparam NT a ring number type; the point of a rational patch needs a field
  *
@@ -249,8 +250,9 @@ private:
     });
   }
 
+  // Not inlined: all questions share it.
   template <int Dim>
-  internal::Tensor_derivatives<NT, Dim> evaluate(const Parameters& uv) const
+  [[gnu::noinline]] internal::Tensor_derivatives<NT, Dim> evaluate(const Parameters& uv) const
   {
     return internal::with_degrees<NT>(m_degree_u, m_degree_v, [&](auto degree) {
       return internal::tensor_derivatives<Dim>(

@@ -256,7 +256,8 @@ private:
   }
 
   template <int Dim>
-  internal::Tensor_derivatives<NT, Dim> evaluate(const Parameters& uv, int span_u, int span_v) const
+  [[gnu::noinline]] internal::Tensor_derivatives<NT, Dim> evaluate(const Parameters& uv, int span_u,
+                                                                   int span_v) const
   {
     return internal::with_degrees<NT>(degree_u(), degree_v(), [&](auto degree) {
       return internal::tensor_derivatives<Dim>(

@@ -31,14 +31,18 @@ constexpr int any_degree = -2;
 template <int Degree>
 using Degree_constant = std::integral_constant<int, Degree>;
 
-// Calls f with the constant that serves both degrees. Unrolled code pays for light numbers only.
+// Calls f with the constant that serves both degrees. Unrolled code pays for light numbers only,
+// and exact numbers allocate by themselves.
 template <class NT, class Function>
 auto with_degrees(int m, int n, Function f)
 {
   if constexpr (Number_type_traits<NT>::is_light)
     if (m == 3 && n == 3)
       return f(Degree_constant<3>());
-  return m < 8 && n < 8 ? f(Degree_constant<up_to_seven>()) : f(Degree_constant<any_degree>());
+  if constexpr (!Number_type_traits<NT>::is_exact)
+    if (m < 8 && n < 8)
+      return f(Degree_constant<up_to_seven>());
+  return f(Degree_constant<any_degree>());
 }
 
 // Row k of the table holds the derivatives of order k of the degree + 1 functions.
@@ -93,8 +97,7 @@ std::array<NT, 3> sum_row(const NT* row, int stride, const Basis_values<NT, Degr
 // From the functions of degree n - 1 (n of them) to the derivatives of those of degree n:
 // n (b_{i-1} - b_i), where the weight w(i) is n for the Bernstein basis.
 template <class NT, int Degree, class Weight>
-void differentiate(Basis_values<NT, Degree>& b, int from, int to,
-                                                 int n, Weight weight)
+void differentiate(Basis_values<NT, Degree>& b, int from, int to, int n, Weight weight)
 {
   NT before(0);
   for (int i = 0; i < n; ++i)

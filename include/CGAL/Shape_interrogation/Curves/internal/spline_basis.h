@@ -25,8 +25,7 @@ namespace internal {
 // From the r functions of degree r - 1 that live on the span to the r + 1 of degree r, at t:
 // b_i <- (t - t_i) b_i / (t_{i+r} - t_i) + (t_{i+r+1} - t) b_{i+1} / (t_{i+r+1} - t_{i+1}).
 template <class NT, class Row>
-void raise_degree(const Knot_vector<NT>& knots, int span, int r,
-                                                const NT& t, Row b)
+void raise_degree(const Knot_vector<NT>& knots, int span, int r, const NT& t, Row b)
 {
   const int first = span - r + 1;
   NT before(0);
@@ -42,8 +41,7 @@ void raise_degree(const Knot_vector<NT>& knots, int span, int r,
 // The functions that are not zero on the span, with two derivatives, valid for the polynomials that
 // continue them too.
 template <int Degree, class NT>
-Basis_values<NT, Degree>
-spline_basis(const Knot_vector<NT>& knots, int span, const NT& t)
+Basis_values<NT, Degree> spline_basis(const Knot_vector<NT>& knots, int span, const NT& t)
 {
   Basis_values<NT, Degree> b(knots.degree());
   const int p = b.degree();

@@ -107,12 +107,11 @@ inline Mesh_interval difference(const Interval_net& net, int i, int j, int k, in
   const Mesh_interval& p = net(i, j)[k];
   if (du + dv == 0)
     return p;
-  const Mesh_interval& q = net(i + (du > 0), j + (du == 0))[k];
+  const int su = du > 0 ? 1 : 0, sv = 1 - su; // the step of the first difference
+  const Mesh_interval& q = net(i + su, j + sv)[k];
   if (du + dv == 1)
     return q - p;
-  const Mesh_interval& r = net(i + (du == 2), j + (dv > 0) + (dv == 2) - (du == 0))[k];
-  const Mesh_interval& s = net(i + du, j + dv)[k];
-  return (s - r) - (q - p);
+  return (net(i + du, j + dv)[k] - net(i + du - su, j + dv - sv)[k]) - (q - p);
 }
 
 // The hull of the Bernstein coefficients of the (du, dv)-th derivative of the homogeneous net.

@@ -31,8 +31,7 @@ public:
   {
     Patch_vertices::Edge ends;
     Patch_vertices::Edge_kind kind;
-    double length;
-    std::array<double, 2> shift;
+    Patch_vertices::Measures measures;
     bool is_marked = false;
     int middle = -1;                // the vertex, once it is divided
     std::array<int, 2> halves{};    // the edges from the ends to the middle
@@ -65,6 +64,13 @@ public:
   std::vector<Triangle>& all() { return m_triangles; }
   const std::vector<Triangle>& all() const { return m_triangles; }
   const Edge& edge(int e) const { return m_edges[e]; }
+  std::size_t number_of_edges() const { return m_edges.size(); }
+  Edge& edge(int e) { return m_edges[e]; }
+
+  Edge make_edge(int a, int b) const
+  {
+    return {{a, b}, m_vertices.kind({a, b}), m_vertices.measures({a, b})};
+  }
 
   // Whether the edge may be divided by a triangle's choice: those on a curve follow the curve.
   bool is_free(int e) const { return m_edges[e].kind != Patch_vertices::Edge_kind::BOUNDARY; }
@@ -123,10 +129,11 @@ private:
 
   int add_edge(int a, int b)
   {
-    m_edges.push_back({{a, b}, m_vertices.kind({a, b}), m_vertices.length({a, b}),
-                       m_vertices.shift({a, b})});
+    m_edges.push_back(make_edge(a, b));
     return static_cast<int>(m_edges.size()) - 1;
   }
+
+  double length(int e) const { return m_edges[e].measures.length; }
 
   bool mark_longest_edges()
   {
@@ -136,7 +143,7 @@ private:
       {
         int longest = -1;
         for (const int e : t.edges)
-          if (is_free(e) && (longest < 0 || m_edges[e].length > m_edges[longest].length))
+          if (is_free(e) && (longest < 0 || length(e) > length(longest)))
             longest = e;
         if (longest >= 0)
           mark(longest);
@@ -198,7 +205,7 @@ private:
     const int q = m_edges[e[1]].middle, r = m_edges[e[2]].middle;
     const int inner = add_edge(q, r);
     to.push_back({{c[0], r, q}, {inner, half(e[1], c[0]), half(e[2], c[0])}});
-    if (m_edges[e[2]].length > m_edges[e[1]].length)
+    if (length(e[2]) > length(e[1]))
     {
       const int diagonal = add_edge(r, c[2]);
       to.push_back({{r, c[1], c[2]}, {e[0], diagonal, half(e[2], c[1])}});

@@ -15,7 +15,7 @@
 // edges are divided, and an edge that cannot be divided any more, or one vertex too many, is a
 // refusal.
 
-#include <CGAL/Shape_interrogation/Meshing/internal/Parameter_triangles.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/flip_edges.h>
 
 #include <algorithm>
 #include <array>
@@ -49,6 +49,30 @@ public:
       if (++steps % 256 == 0 && !go_on())
         refuse_mesh(Refusal_code::CANCELLED, "the meshing was cancelled");
     };
+    divide_until_fine(check);
+    Edge_flipper(m_vertices, m_triangles)([&](Triangle& t) {
+      check();
+      return is_fine(t);
+    });
+    divide_until_fine(check); // almost always nothing: see mark_double_edges()
+  }
+
+  const std::vector<Patch_vertices::Vertex>& vertices() const { return m_vertices.all(); }
+  const std::vector<Triangle>& triangles() const { return m_triangles.all(); }
+
+private:
+  using Kind = Patch_vertices::Edge_kind;
+
+  static Interval_net make_net(const Bezier_surface_3<Exact_rational>& patch)
+  {
+    const Interval_nt<false>::Protector protector;
+    return interval_net(patch.degree_u(), patch.degree_v(), patch.is_rational(),
+                        [&](int i, int j) { return patch.homogeneous_control_point(i, j); });
+  }
+
+  template <class Check>
+  void divide_until_fine(Check check)
+  {
     while (true)
     {
       for (Triangle& t : m_triangles.all())
@@ -65,19 +89,6 @@ public:
     }
   }
 
-  const std::vector<Patch_vertices::Vertex>& vertices() const { return m_vertices.all(); }
-  const std::vector<Triangle>& triangles() const { return m_triangles.all(); }
-
-private:
-  using Kind = Patch_vertices::Edge_kind;
-
-  static Interval_net make_net(const Bezier_surface_3<Exact_rational>& patch)
-  {
-    const Interval_nt<false>::Protector protector;
-    return interval_net(patch.degree_u(), patch.degree_v(), patch.is_rational(),
-                        [&](int i, int j) { return patch.homogeneous_control_point(i, j); });
-  }
-
   // A chord might have the same ends as an edge of another patch.
   bool must_be_divided(const Parameter_triangles::Edge& e) const
   {
@@ -85,7 +96,7 @@ private:
     {
       case Kind::CHORD: return true;
       case Kind::BOUNDARY: return m_vertices.is_boundary_divided(e.ends);
-      case Kind::INNER: return e.length > m_settings.max_edge_length || m_vertices.is_bent(e.ends);
+      case Kind::INNER: return m_vertices.is_too_long_or_bent(e.ends);
       default: return false;
     }
   }
@@ -103,10 +114,24 @@ private:
     if (is_divided)
       return;
     const Triangle_bound bound = bound_of(t);
-    t.bound = bound.face;
-    t.is_settled = bound.face <= m_settings.face_target;
+    settle(t, bound);
     if (!t.is_settled)
       mark_worst(t, bound);
+  }
+
+  void settle(Triangle& t, const Triangle_bound& bound) const
+  {
+    t.bound = bound.face;
+    t.is_settled = bound.face <= m_settings.face_target;
+  }
+
+  bool is_fine(Triangle& t) const
+  {
+    for (const int e : t.edges)
+      if (must_be_divided(m_triangles.edge(e)))
+        return false;
+    settle(t, bound_of(t));
+    return t.is_settled;
   }
 
   // The edges that contribute most, but not those whose curve is fine.
@@ -129,7 +154,7 @@ private:
     {
       const Patch_vertices::Vertex& v = m_vertices[t.corners[k]];
       corners[k] = {parameter_value(v.uv[0]), parameter_value(v.uv[1])};
-      shifts[k] = m_triangles.edge(t.edges[k]).shift;
+      shifts[k] = m_triangles.edge(t.edges[k]).measures.shift;
       pole = v.pole >= 0 ? k : pole;
     }
     const int axis = pole >= 0 ? m_vertices[t.corners[pole]].pole / 2 : 0; // from the pole inward

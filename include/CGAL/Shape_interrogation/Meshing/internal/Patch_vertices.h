@@ -118,44 +118,47 @@ public:
     return sum % 2 == 0 && m_sides[side].has_vertex(sum / 2);
   }
 
-  // Whether the normals at the ends differ too much, on an edge worth dividing for that: between
-  // points of the boundary that are fixed it would not help to come ever nearer to it.
-  bool is_bent(const Edge& edge) const
+  // Whether the edge, or the angle of the normals at its ends, is too large. The angle counts on
+  // edges that are longer than the fixed ones on the boundary beside them: else triangles might come
+  // ever nearer to the boundary without getting better.
+  bool is_too_long_or_bent(const Edge& edge) const
   {
     const Vertex &a = m_vertices[edge[0]], &b = m_vertices[edge[1]];
-    return length(edge) > (std::max)({m_settings.tolerance, a.spacing, b.spacing}) &&
+    const double length = distance(m_store[a.global], m_store[b.global]);
+    if (length > m_settings.max_edge_length)
+      return true;
+    return length > (std::max)({m_settings.tolerance, a.spacing, b.spacing}) &&
            dot(a.normal, a.normal) > 0 && dot(b.normal, b.normal) > 0 &&
            dot(a.normal, b.normal) < m_settings.min_cosine;
   }
 
-  double length(const Edge& edge) const
+  // What is measured of an edge on the patch.
+  struct Measures
   {
-    return distance(m_store[m_vertices[edge[0]].global], m_store[m_vertices[edge[1]].global]);
-  }
+    double length;               // by the metric in the middle: what a chord of a coarse mesh is not
+    std::array<double, 2> shift; // how points slide along the patch (see triangle_bound.h)
+  };
 
-  // How points slide along the patch where they are compared with the edge (see triangle_bound.h).
-  // It is bounded so that x_i + x_j + shift_ij stays in [0, 2] for both parameters: then
+  // The shift is bounded so that x_i + x_j + shift_ij stays in [0, 2] for both parameters: then
   // sum l_i x_i + sum l_i l_j shift_ij is in the square for every triangle. Sides slide in
   // themselves. Points of the square slide continuously, so that they cover it again.
-  std::array<double, 2> shift(const Edge& edge) const
+  Measures measures(const Edge& edge) const
   {
     const std::array<std::int32_t, 2> a = end(edge, 0), b = end(edge, 1);
     const Edge_kind of_edge = kind(edge);
-    std::array<double, 2> c{0, 0};
+    const std::array<double, 2> p{parameter_value(a[0]), parameter_value(a[1])};
+    const std::array<double, 2> q{parameter_value(b[0]), parameter_value(b[1])};
+    Measures m = free_measures({(p[0] + q[0]) / 2, (p[1] + q[1]) / 2}, q[0] - p[0], q[1] - p[1]);
     if (of_edge == Edge_kind::BOUNDARY)
     {
       const int side = side_of(edge), along = 1 - side / 2;
-      c[along] = m_sides[side].shift(a[along], b[along]);
+      m.shift[along] = m_sides[side].shift(a[along], b[along]);
+      m.shift[1 - along] = 0;
     }
-    else if (of_edge == Edge_kind::INNER)
-    {
-      const std::array<double, 2> p{parameter_value(a[0]), parameter_value(a[1])};
-      const std::array<double, 2> q{parameter_value(b[0]), parameter_value(b[1])};
-      c = tangential_shift({(p[0] + q[0]) / 2, (p[1] + q[1]) / 2}, q[0] - p[0], q[1] - p[1]);
+    else
       for (int d = 0; d < 2; ++d)
-        c[d] = std::clamp(c[d], -(p[d] + q[d]), 2 - (p[d] + q[d]));
-    }
-    return c;
+        m.shift[d] = std::clamp(m.shift[d], -(p[d] + q[d]), 2 - (p[d] + q[d]));
+    return m;
   }
 
 private:
@@ -205,21 +208,24 @@ private:
     return d ? unit_vector(cross(d->u, d->v)) : Double_point{0, 0, 0};
   }
 
-  // The vector c for which S_u c_u + S_v c_v is nearest to half the second derivative along (du,
-  // dv).
-  std::array<double, 2> tangential_shift(const std::array<double, 2>& uv, double du, double dv) const
+  // As if the patch had no boundary. The shift c is the vector for which S_u c_u + S_v c_v is nearest
+  // to half the second derivative along (du, dv).
+  Measures free_measures(const std::array<double, 2>& uv, double du, double dv) const
   {
     const auto d = m_double_patch.derivatives(uv);
     if (!d)
-      return {0, 0};
-    Double_point h;
+      return {0, {0, 0}};
+    Double_point h, t;
     for (int k = 0; k < 3; ++k)
+    {
+      t[k] = d->u[k] * du + d->v[k] * dv;
       h[k] = (d->uu[k] * du * du + 2 * d->uv[k] * du * dv + d->vv[k] * dv * dv) / 2;
+    }
     const double e = dot(d->u, d->u), f = dot(d->u, d->v), g = dot(d->v, d->v);
     const double hu = dot(h, d->u), hv = dot(h, d->v), determinant = e * g - f * f;
     const double cu = (hu * g - hv * f) / determinant, cv = (hv * e - hu * f) / determinant;
-    return std::isfinite(cu) && std::isfinite(cv) ? std::array<double, 2>{cu, cv}
-                                                  : std::array<double, 2>{0, 0};
+    const bool is_finite = std::isfinite(cu) && std::isfinite(cv);
+    return {std::sqrt(dot(t, t)), {is_finite ? cu : 0, is_finite ? cv : 0}};
   }
 
   const Exact_net m_exact;

@@ -37,6 +37,14 @@ struct Vertex_shape
   double gaussian_curvature = 0, mean_curvature = 0, kmin = 0, kmax = 0;
 };
 
+// The same shape for the opposite normal.
+inline Vertex_shape opposite(const Vertex_shape& s)
+{
+  const auto& n = s.normal;
+  return {{-n[0], -n[1], -n[2]}, s.direction_max, s.direction_min,
+          s.gaussian_curvature, -s.mean_curvature, -s.kmax, -s.kmin};
+}
+
 inline Coordinates<double, 3> normalised(const Coordinates<double, 3>& v)
 {
   const double length = std::hypot(v[0], v[1], v[2]);

@@ -10,8 +10,8 @@
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_BUILD_SURFACE_MESH_H
 
 // From triangles of numbered points to a Surface_mesh. Where triangles do not meet as on a surface
-// (an edge with three of them, fans that share only a point, opposite orientations) the vertex is
-// doubled, so that every triangle is kept.
+// (an edge with three of them or with two of opposite orientations, fans that share only a point)
+// the vertex is doubled, so that every triangle is kept.
 
 #include <CGAL/Shape_interrogation/Meshing/Shape_mesh.h>
 
@@ -54,8 +54,8 @@ private:
 };
 
 // Unites the corners at both ends of every edge that has exactly two triangles, which run along it
-// in opposite directions.
-inline Corner_sets fans_of(const std::vector<Soup_triangle>& triangles)
+// in opposite directions. Sets `is_manifold` to false if an edge has other sets of triangles.
+inline Corner_sets fans_of(const std::vector<Soup_triangle>& triangles, bool& is_manifold)
 {
   // The ends in increasing order, the direction, and the corners at these ends.
   using Side = std::tuple<std::size_t, std::size_t, bool, std::size_t, std::size_t>;
@@ -84,6 +84,8 @@ inline Corner_sets fans_of(const std::vector<Soup_triangle>& triangles)
       sets.unite(std::get<3>(sides[i]), std::get<3>(sides[i + 1]));
       sets.unite(std::get<4>(sides[i]), std::get<4>(sides[i + 1]));
     }
+    else if (end > i + 1)
+      is_manifold = false;
     i = end;
   }
   return sets;
@@ -93,7 +95,7 @@ struct Built_mesh
 {
   Shape_mesh::Surface_mesh mesh;   // the triangle t is the face t
   std::vector<std::size_t> source; // the point that each vertex is
-  bool is_manifold = true;         // whether no vertex was doubled
+  bool is_manifold = true;         // whether no edge had too many triangles
 };
 
 // `points[i]` has three coordinates. No two corners of a triangle may be the same point.
@@ -101,8 +103,8 @@ template <class Points>
 Built_mesh build_surface_mesh(const Points& points, const std::vector<Soup_triangle>& triangles)
 {
   using Vertex = Shape_mesh::Surface_mesh::Vertex_index;
-  Corner_sets sets = fans_of(triangles);
   Built_mesh built;
+  Corner_sets sets = fans_of(triangles, built.is_manifold);
   const auto new_vertex = [&](std::size_t i) {
     built.source.push_back(i);
     return built.mesh.add_vertex(Shape_mesh::Point_3(points[i][0], points[i][1], points[i][2]));
@@ -114,11 +116,8 @@ Built_mesh build_surface_mesh(const Points& points, const std::vector<Soup_trian
       fans.emplace_back(triangles[c / 3][c % 3], c);
   std::sort(fans.begin(), fans.end());
   std::vector<Vertex> vertex(3 * triangles.size());
-  for (std::size_t i = 0; i < fans.size(); ++i)
-  {
-    vertex[fans[i].second] = new_vertex(fans[i].first);
-    built.is_manifold = built.is_manifold && (i == 0 || fans[i].first != fans[i - 1].first);
-  }
+  for (const auto& fan : fans)
+    vertex[fan.second] = new_vertex(fan.first);
   for (std::size_t t = 0; t < triangles.size(); ++t)
   {
     std::array<Vertex, 3> v;

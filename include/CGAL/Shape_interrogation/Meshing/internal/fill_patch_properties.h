@@ -37,16 +37,17 @@ struct Patch_place
 class Patch_evaluator
 {
 public:
-  explicit Patch_evaluator(const Bezier_surface_3<Exact_rational>& patch)
-    : m_exact(patch), m_enclosure(enclose(patch))
+  Patch_evaluator(const Bezier_surface_3<Exact_rational>& patch, bool is_flipped)
+    : m_exact(patch), m_enclosure(enclose(patch)), m_is_flipped(is_flipped)
   {}
 
   Result<Vertex_shape> operator()(std::int32_t u, std::int32_t v) const
   {
     using Interval = Interval_nt<false>;
-    return vertex_shape(
+    const Result<Vertex_shape> shape = vertex_shape(
       [&] { return m_enclosure({Interval(parameter_value(u)), Interval(parameter_value(v))}); },
       [&] { return m_exact({exact_parameter(u), exact_parameter(v)}); });
+    return shape && m_is_flipped ? Result<Vertex_shape>(opposite(*shape)) : shape;
   }
 
 private:
@@ -58,6 +59,7 @@ private:
 
   const Bezier_surface_3<Exact_rational>& m_exact;
   const Bezier_surface_3<Interval_nt<false>> m_enclosure;
+  const bool m_is_flipped;
 };
 
 // Limits of the normal at vertices where edges of patches are collapsed: none where two patches
@@ -65,8 +67,10 @@ private:
 using Limit_normals = std::map<std::size_t, std::optional<Exact_vector>>;
 
 inline void add_limit_normal(Limit_normals& limits, std::size_t vertex,
-                             const std::optional<Exact_vector>& n)
+                             std::optional<Exact_vector> n, bool is_flipped)
 {
+  for (int k = 0; k < 3 && n && is_flipped; ++k)
+    (*n)[k] = -(*n)[k];
   const auto added = limits.emplace(vertex, n);
   std::optional<Exact_vector>& known = added.first->second;
   if (!added.second && known && !(n && is_same_direction(*known, *n)))

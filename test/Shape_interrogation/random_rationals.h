@@ -1,0 +1,92 @@
+// Copyright (c) 2026 The Shape_interrogation authors.
+// All rights reserved.
+//
+// This file is part of Shape_interrogation, a package in the style of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+
+#ifndef SHAPE_INTERROGATION_TEST_RANDOM_RATIONALS_H
+#define SHAPE_INTERROGATION_TEST_RANDOM_RATIONALS_H
+
+// Reproducible random numbers, vectors and rotations with exact rational entries.
+
+#include <CGAL/Shape_interrogation/Waist/Symmetric_matrix_3.h>
+
+#include <CGAL/Exact_rational.h>
+
+#include <array>
+#include <random>
+
+namespace testing_shapes {
+
+using CGAL::Shape_interrogation::Coordinates;
+using CGAL::Shape_interrogation::Symmetric_matrix_3;
+using Q = CGAL::Exact_rational;
+
+class Random
+{
+public:
+  explicit Random(unsigned seed) : m_engine(seed) {}
+
+  // Evenly in [low, high]. (The standard's distributions differ between libraries.)
+  int integer(int low, int high)
+  {
+    return low + static_cast<int>(m_engine() % static_cast<unsigned>(high - low + 1));
+  }
+
+  // A fraction with small numerator and denominator.
+  Q rational(int size = 9)
+  {
+    Q x = Q(integer(-size, size)) / Q(integer(1, size));
+    return x;
+  }
+
+  Q nonzero_rational(int size = 9)
+  {
+    Q x = rational(size);
+    while (CGAL::is_zero(x))
+      x = rational(size);
+    return x;
+  }
+
+  Coordinates<Q, 3> vector() { return {rational(), rational(), rational()}; }
+
+  Coordinates<Q, 3> nonzero_vector()
+  {
+    return {rational(), rational(), nonzero_rational()};
+  }
+
+  Symmetric_matrix_3<Q> matrix()
+  {
+    return {rational(), rational(), rational(), rational(), rational(), rational()};
+  }
+
+  double real(double low, double high)
+  {
+    return low + (high - low) * (static_cast<double>(m_engine()) / 4294967295.0);
+  }
+
+private:
+  std::mt19937 m_engine;
+};
+
+using Rotation = std::array<Coordinates<Q, 3>, 3>; // rows
+
+// The rotation of a quaternion with integer components, which is rational.
+inline Rotation random_rotation(Random& random)
+{
+  const Q a = random.integer(1, 5), b = random.integer(-5, 5), c = random.integer(-5, 5),
+          d = random.integer(-5, 5);
+  const Q n = a * a + b * b + c * c + d * d;
+  return {Coordinates<Q, 3>{Q((a * a + b * b - c * c - d * d) / n), Q(2 * (b * c - a * d) / n),
+                            Q(2 * (b * d + a * c) / n)},
+          Coordinates<Q, 3>{Q(2 * (b * c + a * d) / n), Q((a * a - b * b + c * c - d * d) / n),
+                            Q(2 * (c * d - a * b) / n)},
+          Coordinates<Q, 3>{Q(2 * (b * d - a * c) / n), Q(2 * (c * d + a * b) / n),
+                            Q((a * a - b * b - c * c + d * d) / n)}};
+}
+
+} // namespace testing_shapes
+
+#endif // SHAPE_INTERROGATION_TEST_RANDOM_RATIONALS_H

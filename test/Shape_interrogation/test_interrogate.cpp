@@ -1,0 +1,267 @@
+// Copyright (c) 2026 The Shape_interrogation authors.
+// All rights reserved.
+//
+// This file is part of Shape_interrogation, a package in the style of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+
+// The program as its users call it: exit status, messages, reports, and the number types.
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+
+const fs::path examples = fs::path(SHAPE_INTERROGATION_TEST_DATA).parent_path().parent_path()
+                            .parent_path() / "examples/Shape_interrogation/data";
+
+struct Outcome
+{
+  int status;
+  std::string output; // of both streams
+};
+
+Outcome run(const std::string& arguments, const std::string& environment = "")
+{
+  const std::string command =
+    environment + " '" SHAPE_INTERROGATION_PROGRAM "' " + arguments + " 2>&1";
+  FILE* pipe = popen(command.c_str(), "r");
+  Outcome result{-1, ""};
+  for (char block[4096]; std::size_t n = std::fread(block, 1, sizeof block, pipe);)
+    result.output.append(block, n);
+  const int status = pclose(pipe);
+  if (WIFEXITED(status))
+    result.status = WEXITSTATUS(status);
+  return result;
+}
+
+// A directory of its own for each test.
+class Program : public testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    std::string name = (fs::temp_directory_path() / "interrogate-XXXXXX").string();
+    ASSERT_NE(mkdtemp(&name[0]), nullptr);
+    m_directory = name;
+  }
+  void TearDown() override { fs::remove_all(m_directory); }
+
+  fs::path write(const std::string& name, const std::string& text) const
+  {
+    std::ofstream(m_directory / name) << text;
+    return m_directory / name;
+  }
+
+  // Runs the model and returns the report; the status is expected.
+  Json report(const fs::path& model, int status, const std::string& options = "",
+              const std::string& environment = "") const
+  {
+    const fs::path out = m_directory / "out";
+    const Outcome r =
+      run("'" + model.string() + "' --out '" + out.string() + "' " + options, environment);
+    EXPECT_EQ(r.status, status) << r.output;
+    std::ifstream in(out / "report.json");
+    EXPECT_TRUE(in.good()) << r.output;
+    return Json::parse(in, nullptr, false);
+  }
+
+  void expect_unusable(const std::string& arguments, const std::string& part) const
+  {
+    const Outcome r = run(arguments);
+    EXPECT_EQ(r.status, 2) << arguments << "\n" << r.output;
+    EXPECT_NE(r.output.find(part), std::string::npos) << arguments << "\n" << r.output;
+  }
+
+  fs::path m_directory;
+};
+
+const char* const sphere_model = R"({"surfaces":{"s":{"kind":"implicit","f":"x^2+y^2+z^2-9"}},
+  "tasks":[{"task":"curvature","surface":"s","at":{"point":[1,2,2]}}]})";
+
+TEST_F(Program, appendix_of_chuang_and_hoffmann)
+{
+  const Json tasks = report(examples / "appendix.json", 0)["tasks"];
+  ASSERT_EQ(tasks.size(), 2u);
+  for (const Json& t : tasks)
+  {
+    EXPECT_EQ(t["status"], "ok");
+    EXPECT_EQ(t["number_type"], "exact");
+    EXPECT_EQ(t["gaussian_curvature"]["exact"], "0");
+    EXPECT_EQ(t["sign_of_gaussian_curvature"], 0);
+    EXPECT_EQ(t["normal_curvature"]["sign"], 0);
+    EXPECT_EQ(t["normal_curvature"]["squared"]["exact"], "0");
+    EXPECT_EQ(t["mean_curvature"]["sign"], 1);
+    EXPECT_EQ(t["mean_curvature"]["squared"]["exact"],
+              "349664/10994427+3056032/560715777*sqrt(17)");
+    EXPECT_DOUBLE_EQ(t["mean_curvature"]["approx"], 0.232971325173270299);
+    EXPECT_EQ(t["umbilic"], false);
+    EXPECT_EQ(t["planar"], false);
+    EXPECT_EQ(t["normal"][0]["exact"], "32");
+  }
+}
+
+TEST_F(Program, number_types_and_decisions)
+{
+  // A sphere is umbilic everywhere; at this point only exact arithmetic can say so.
+  const fs::path model = write("m.json", R"({
+    "surfaces": { "s": { "kind": "implicit", "f": "x^2/3+y^2/3+z^2/3-1/3" },
+                  "e": { "kind": "implicit", "f": "exp(x)*y+z" } },
+    "tasks": [
+      { "task": "curvature", "surface": "s", "at": { "point": ["1/3", "2/3", "2/3"] } },
+      { "task": "curvature", "surface": "s", "at": { "point": ["1/3", "2/3", "2/3"] },
+        "number_type": "interval" },
+      { "task": "curvature", "surface": "s", "at": { "point": ["1/3", "2/3", "2/3"] },
+        "number_type": "filtered" },
+      { "task": "curvature", "surface": "s", "at": { "point": ["1/3", "2/3", "2/3"] },
+        "number_type": "double" },
+      { "task": "curvature", "surface": "e", "at": { "point": [0, 1, -1] } },
+      { "task": "curvature", "surface": "e", "at": { "point": [0, 1, -1] },
+        "number_type": "exact" } ] })");
+  const Json t = report(model, 1)["tasks"];
+  EXPECT_EQ(t[0]["number_type"], "exact");
+  EXPECT_EQ(t[0]["umbilic"], true);
+  EXPECT_EQ(t[0]["principal_curvatures"][0]["exact"], "1");
+  EXPECT_FALSE(t[0].contains("principal_directions"));
+  EXPECT_EQ(t[1]["status"], "undecided");
+  EXPECT_EQ(t[1]["umbilic"], "undecided");
+  EXPECT_EQ(t[1]["mean_curvature"]["sign"], 1);
+  EXPECT_TRUE(t[1]["mean_curvature"].contains("interval"));
+  EXPECT_EQ(t[2]["status"], "ok");
+  EXPECT_EQ(t[2]["umbilic"], true);
+  EXPECT_EQ(t[2]["gaussian_curvature"], Json::parse(R"({"approx":1.0,"sign":1})"));
+  EXPECT_DOUBLE_EQ(t[3]["gaussian_curvature"]["approx"], 1);
+  EXPECT_EQ(t[4]["number_type"], "filtered");
+  EXPECT_EQ(t[4]["status"], "ok");
+  EXPECT_EQ(t[5]["status"], "refused");
+  EXPECT_EQ(t[5]["reason"]["code"], "not_algebraic");
+}
+
+TEST_F(Program, refusals_have_their_codes)
+{
+  const fs::path model = write("m.json", R"json({
+    "surfaces": { "cone": { "kind": "implicit", "f": "x^2+y^2-z^2" },
+                  "fold": { "kind": "parametric", "x": ["u^2", "u*v", "v^2"] },
+                  "s": { "kind": "system", "variables": ["x","y","z","w"],
+                         "equations": ["x-w"] } },
+    "tasks": [
+      { "task": "curvature", "surface": "cone", "at": { "point": [0, 0, 0] } },
+      { "task": "curvature", "surface": "cone", "at": { "point": [0, 0, "1e-30"] } },
+      { "task": "curvature", "surface": "fold", "at": { "parameters": [0, 0] } },
+      { "task": "curvature", "surface": "s", "at": { "point": [0, 0, 0, 0] } },
+      { "task": "curvature", "surface": "cone", "at": { "point": [3, 4, 5] },
+        "direction": [1, 0, 0] },
+      { "task": "curvature", "surface": "fold", "at": { "parameters": ["sqrt(2)", "sqrt(3)"] } },
+      { "task": "shape_operator", "normal": [0, 0, 1], "curvatures": [1, 1, 1],
+        "directions": [[1, 0, 0], [0, 1, 0], [2, 0, 0]] },
+      { "task": "curvature", "surface": "cone", "at": { "point": [3, 4, 5] } } ] })json");
+  const Json t = report(model, 1)["tasks"];
+  const char* const codes[] = {"singular_point", "not_on_surface", "irregular_parametrisation",
+                               "underdetermined", "not_tangent", "not_algebraic",
+                               "dependent_directions"};
+  for (int i = 0; i < 7; ++i)
+  {
+    EXPECT_EQ(t[i]["status"], "refused") << i;
+    EXPECT_EQ(t[i]["reason"]["code"], codes[i]);
+    EXPECT_GT(t[i]["reason"]["text"].get<std::string>().size(), 5u);
+  }
+  EXPECT_EQ(t[7]["status"], "ok");
+}
+
+TEST_F(Program, both_sides_of_a_knot_are_reported)
+{
+  const fs::path model = fs::path(SHAPE_INTERROGATION_TEST_DATA) / "models/curves.json";
+  const Json t = report(model, 0)["tasks"];
+  EXPECT_EQ(t[0]["number_type"], "filtered"); // exp and sin
+  EXPECT_EQ(t[2]["curvature"]["exact"], "2");
+  ASSERT_EQ(t[3]["one_sided"].size(), 2u);
+  EXPECT_EQ(t[3]["one_sided"][0]["side"], Json::parse(R"(["left"])"));
+  EXPECT_EQ(t[3]["one_sided"][1]["curvature"], t[3]["curvature"]);
+  EXPECT_NE(t[3]["one_sided"][0]["curvature"], t[3]["curvature"]);
+}
+
+TEST_F(Program, orientation)
+{
+  const fs::path model = write("m.json", R"({
+    "surfaces": {
+      "a": { "kind": "implicit", "f": "z-x^2-y^2" },
+      "b": { "kind": "implicit", "f": "z-x^2-y^2", "flip": true },
+      "c": { "kind": "system", "variables": ["x","y","z"], "equations": ["3*z-3*x^2-3*y^2"] },
+      "d": { "kind": "system", "variables": ["x","y","z"], "equations": ["3*z-3*x^2-3*y^2"],
+             "orient": [1, 0, -1] },
+      "e": { "kind": "system", "variables": ["x","y","z"], "equations": ["3*z-3*x^2-3*y^2"],
+             "orient": [1, 0, 0] } },
+    "tasks": [
+      { "task": "curvature", "surface": "a", "at": { "point": [0, 0, 0] } },
+      { "task": "curvature", "surface": "b", "at": { "point": [0, 0, 0] } },
+      { "task": "curvature", "surface": "c", "at": { "point": [0, 0, 0] } },
+      { "task": "curvature", "surface": "d", "at": { "point": [0, 0, 0] } },
+      { "task": "curvature", "surface": "e", "at": { "point": [0, 0, 0] } } ] })");
+  const Json t = report(model, 1)["tasks"];
+  const int normal[] = {1, -1, 1, -1}, sign[] = {-1, 1, -1, 1};
+  for (int i = 0; i < 4; ++i)
+  {
+    EXPECT_EQ(t[i]["normal"][2]["exact"], std::to_string(normal[i])) << i;
+    EXPECT_EQ(t[i]["mean_curvature"]["sign"], sign[i]) << i;
+  }
+  EXPECT_EQ(t[4]["reason"]["code"], "ambiguous");
+}
+
+TEST_F(Program, unusable_commands_and_models)
+{
+  expect_unusable("", "MODEL is required");
+  expect_unusable("a.json b.json", "b.json");
+  expect_unusable("a.json --number-type float", "exact");
+  expect_unusable("'" + (m_directory / "no.json").string() + "'", "No such file");
+  expect_unusable("'" + m_directory.string() + "'", "this is a directory");
+  const std::string broken = write("broken.json", "{\"tasks\": [}").string();
+  expect_unusable("'" + broken + "'", "broken.json: line 1, column 12");
+  EXPECT_FALSE(fs::exists(m_directory / "broken"));
+  const std::string model = write("m.json", sphere_model).string();
+  expect_unusable("'" + model + "' --out '" + model + "'", "directory of the report");
+  expect_unusable("'" + model + "' --out '" + model + "/below'", "directory of the report");
+  expect_unusable("/dev/zero --out '" + m_directory.string() + "'", "bytes");
+}
+
+TEST_F(Program, usual_calls)
+{
+  EXPECT_EQ(run("--help").status, 0);
+  EXPECT_EQ(run("--version").status, 0);
+  EXPECT_EQ(run("--version").output.rfind("interrogate ", 0), 0u);
+  const std::string model = write("m.json", sphere_model).string();
+  const Outcome loud = run("'" + model + "'");
+  EXPECT_EQ(loud.status, 0);
+  EXPECT_NE(loud.output.find("K = 1/9"), std::string::npos) << loud.output;
+  EXPECT_TRUE(fs::exists(m_directory / "m/report.json"));
+  const Outcome quiet = run("'" + model + "' --quiet --number-type double");
+  EXPECT_EQ(quiet.status, 0);
+  EXPECT_EQ(quiet.output, "");
+  for (const auto& entry : fs::directory_iterator(m_directory / "m"))
+    EXPECT_EQ(entry.path().filename(), "report.json"); // no temporary file stays
+}
+
+TEST_F(Program, the_locale_has_no_influence)
+{
+  const fs::path model = write("m.json", sphere_model);
+  Json usual = report(model, 0), german = report(model, 0, "", "LC_ALL=de_DE.UTF-8"),
+       turkish = report(model, 0, "", "LC_ALL=tr_TR.UTF-8");
+  for (Json* json : {&usual, &german, &turkish})
+    (*json)["tasks"][0].erase("seconds");
+  EXPECT_EQ(usual, german);
+  EXPECT_EQ(usual, turkish);
+}
+
+} // namespace
