@@ -17,8 +17,8 @@
 
 namespace interrogate {
 
-// Throw Limit_error if exact values at the numbers would have too many digits: x^4096 at a number of
-// a thousand digits is one of four million.
+// Throw Limit_error if exact values at the numbers would have too many digits: x^4096 at a number
+// of a thousand digits is one of four million.
 void check_exact_cost(const Surface_model& surface, const std::vector<Number>& at);
 void check_exact_cost(const Curve_model& curve, const std::vector<Number>& at);
 

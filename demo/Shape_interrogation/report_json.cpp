@@ -121,7 +121,8 @@ void store(const Surface_answer& a, Task_result& result)
     json["normal_curvature"] = to_json(*a.normal_curvature);
   if (!a.hessian_case.empty())
     json["hessian_case"] = a.hessian_case;
-  result.line = "K = " + brief(a.gaussian_curvature, result) + ", H = " + brief(a.mean_curvature, result) +
+  result.line = "K = " + brief(a.gaussian_curvature, result) +
+                ", H = " + brief(a.mean_curvature, result) +
                 ", umbilic: " + yes_or_no(a.umbilic);
   if (a.normal_curvature)
     result.line += ", in the direction: " + brief(*a.normal_curvature, result);

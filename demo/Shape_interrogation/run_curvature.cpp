@@ -56,8 +56,8 @@ void drop_claims(Report_json& json)
       drop_claims(part);
 }
 
-// Intervals first, exact where they do not decide. At a point that is only near the surface there is
-// no exact answer: the decisions stay open.
+// Intervals first, exact where they do not decide. At a point that is only near the surface there
+// is no exact answer: the decisions stay open.
 template <class Ask_in>
 void fill_filtered(Task_result& result, bool algebraic, Ask_in ask_in)
 {

@@ -62,9 +62,11 @@ public:
     return {rational(), rational(), rational(), rational(), rational(), rational()};
   }
 
+  // A double with all its 53 bits.
   double real(double low, double high)
   {
-    return low + (high - low) * (static_cast<double>(m_engine()) / 4294967295.0);
+    const double fine = static_cast<double>(m_engine() >> 11) / 2097152.0;
+    return low + (high - low) * ((static_cast<double>(m_engine()) + fine) / 4294967296.0);
   }
 
 private:

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 
-// The reader of models: exact numbers, messages with the place, and mutated models that must be read
-// or refused, quickly and without anything else.
+// The reader of models: exact numbers, messages with the place, and mutated models that must be
+// read or refused, quickly and without anything else.
 
 #include "evaluate_numbers.h"
 #include "Model_error.h"
@@ -235,7 +235,7 @@ const std::vector<std::string> tokens = {
   "sqrt(", "*", "x", "\\u0000", "\xc3", "[[", "}}", "99999999999999999999", "1e400", "\"kind\"",
   "^4096", "\"1/3\"", "\"sqrt(2)\"", "exp(", "\n", "0.5", "\"surface\"", "-1", "\\", "NaN"};
 
-// Some changes: a byte, a token, a part left out, a part twice, the end cut off, or two seeds joined.
+// Some changes: a byte, a token, a part left out or written twice, or the end of another model.
 std::string mutated(std::string text, const std::string& other, std::mt19937& random)
 {
   const auto below = [&](std::size_t n) { return random() % (std::max<std::size_t>)(n, 1); };

@@ -37,18 +37,21 @@ namespace Shape_interrogation {
  * to a common factor, are equal, in either order. They get identical vertices, also when the
  * patches are meshed one by one with the same tolerance and bounds: the division of an edge depends
  * on its curve alone. Within one mesh the patches are connected there, unless the edge has more
- * than two patches, or two of opposite orientations: then vertices are doubled and
- * `Mesh_report::manifold` is `false`.
+ * than two patches, or two of opposite orientations: then the mesh has its vertices twice and
+ * `Mesh_report::manifold` is `false`. Patches that touch in a point only are not connected there.
  *
  * <b>Degenerate patches.</b> An edge that is collapsed to a point becomes one vertex, and no
  * triangle has two equal corners. Vertices where the parametrisation is irregular have no
  * curvature; see `Shape_property_maps` for their properties and `Mesh_report::refused_places` for
  * the list.
  *
+ * <b>Distances.</b> The bound in the report holds in both directions: no point of the mesh is
+ * farther from the patches, and no point of the patches is farther from the mesh.
+ *
  * The vertex properties are those of `Shape_property_maps` and `Patch_property_maps`. Curvatures
- * are computed in interval arithmetic, and exactly where that is not accurate to about
- * \f$ 10^{-13} \f$ of the largest curvature there. On an edge between patches they belong to one of
- * the patches: they differ from those of the other where the patches do not join smoothly.
+ * are computed in interval arithmetic, and exactly where that is not accurate to \f$ 10^{-12} \f$
+ * of the largest curvature there. On an edge between patches they belong to one of the patches:
+ * they differ from those of the other where the patches do not join smoothly.
  *
  * \tparam Progress is called as `progress(done, total)` with the number of patches, see
  * `No_progress`
@@ -61,7 +64,7 @@ namespace Shape_interrogation {
  * `LIMIT_EXCEEDED` when the bounds need more vertices than allowed, or a tolerance beyond the
  * resolution of doubles (2^-42 of the largest coordinate), `POLE` where the weight of a rational
  * patch vanishes, `IRREGULAR_PARAMETRISATION` for a patch that is a single curve or point,
- * `CANCELLED`
+ * or has two collapsed edges that meet, `CANCELLED`
  *
  * Source: the bound of Filip, Magedson and Markot for the interpolation of a surface by triangles,
  * in a form that keeps the directions of the edges (see triangle_bound.h).

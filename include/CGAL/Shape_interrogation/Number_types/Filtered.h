@@ -63,6 +63,8 @@ struct Filter_statistics
  * returns a `Result` answers `Refusal_code::UNDECIDED`; one that returns a bare decision throws
  * `Uncertain_conversion_exception`.
  *
+ * \exception Conversion_error if no stage before the exact ones decides and the data are not finite
+ *
  * \tparam Chain a default or copy constructible callable
  * \tparam ExactNT an exact field that all data convert to
  */
@@ -88,7 +90,8 @@ public:
     constexpr bool doubles = (internal::Has_double_data<Args>::value && ...);
     std::optional<Answer> answer;
     if constexpr (doubles)
-      if (m_use_magnitude.load(std::memory_order_relaxed) && try_magnitude(answer, args...))
+      if (m_use_magnitude.load(std::memory_order_relaxed) &&
+          internal::Magnitude::is_safe_in_rounding_mode() && try_magnitude(answer, args...))
         return count(&Filter_statistics::magnitude, *answer);
     if (try_interval(answer, args...))
       return count(&Filter_statistics::interval, *answer);

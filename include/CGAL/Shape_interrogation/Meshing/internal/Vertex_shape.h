@@ -25,7 +25,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 namespace CGAL {
 namespace Shape_interrogation {
@@ -169,29 +168,26 @@ inline Vertex_shape exact_shape(const Local_shape_3<Exact_rational>& s)
   return v;
 }
 
-// `enclose()` and `evaluate()` return the local shape in intervals and in exact numbers. Where
-// there are no exact numbers the middle of the intervals is taken.
+// `enclose()` and `evaluate()` return the local shape in intervals and in exact numbers. Where there
+// are no exact numbers, the middle of the intervals is taken.
 template <class Enclose, class Evaluate>
 Result<Vertex_shape> vertex_shape(Enclose enclose, Evaluate evaluate)
 {
-  std::optional<Vertex_shape> wide;
-  {
+  const auto enclosed = [&]() -> Result<Enclosed_shape> {
     const Interval_nt<false>::Protector protector;
     const Result<Local_shape_3<Interval_nt<false>>> s = enclose();
-    if (s)
-    {
-      const Enclosed_shape e = enclosed_shape(*s);
-      if (e.is_narrow)
-        return e.shape;
-      wide = e.shape;
-    }
-  }
+    if (!s)
+      return s.refusal();
+    return enclosed_shape(*s);
+  }();
+  if (enclosed && enclosed->is_narrow)
+    return enclosed->shape;
   const Result<Local_shape_3<Exact_rational>> s = evaluate();
   if (s)
     return exact_shape(*s);
-  if (wide && s.refusal().code() == Refusal_code::NOT_ALGEBRAIC)
-    return *wide;
-  return s.refusal();
+  if (s.refusal().code() != Refusal_code::NOT_ALGEBRAIC)
+    return s.refusal();
+  return enclosed ? Result<Vertex_shape>(enclosed->shape) : enclosed.refusal();
 }
 
 } // namespace internal

@@ -16,6 +16,7 @@
 #include <CGAL/Shape_interrogation/Meshing/internal/Vertex_shape.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/Vertex_store.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/limit_normal.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/set_shape.h>
 
 #include <map>
 #include <optional>
@@ -75,24 +76,6 @@ inline void add_limit_normal(Limit_normals& limits, std::size_t vertex,
   std::optional<Exact_vector>& known = added.first->second;
   if (!added.second && known && !(n && is_same_direction(*known, *n)))
     known.reset();
-}
-
-inline Shape_mesh::Vector_3 kernel_vector(const Coordinates<double, 3>& v)
-{
-  return Shape_mesh::Vector_3(v[0], v[1], v[2]);
-}
-
-inline void set_shape(Shape_property_maps& maps, Shape_property_maps::Vertex v,
-                      const Vertex_shape& s)
-{
-  maps.normal[v] = kernel_vector(s.normal);
-  maps.gaussian_curvature[v] = s.gaussian_curvature;
-  maps.mean_curvature[v] = s.mean_curvature;
-  maps.kmin[v] = s.kmin;
-  maps.kmax[v] = s.kmax;
-  maps.direction_min[v] = kernel_vector(s.direction_min);
-  maps.direction_max[v] = kernel_vector(s.direction_max);
-  maps.regular[v] = true;
 }
 
 // Fills the properties of one vertex from the first of its places that is regular. Returns the

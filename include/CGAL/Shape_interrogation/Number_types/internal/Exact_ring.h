@@ -34,7 +34,7 @@ class Exact_ring
 public:
   Exact_ring() : m_x(0) {}
   Exact_ring(int x) : m_x(x) {}
-  Exact_ring(double x) : m_x(x) {}
+  Exact_ring(double x) : m_x(finite(x)) {}
   explicit Exact_ring(Mpzf x) : m_x(std::move(x)) {}
 
   const Mpzf& mpzf() const { return m_x; }
@@ -54,14 +54,14 @@ public:
   {
     return Exact_ring(a.m_x * b.m_x);
   }
-  // Only powers of two divide.
+  // Only powers of two divide, if their reciprocal is a double.
   friend Exact_ring operator/(const Exact_ring& a, const Exact_ring& b)
   {
-    const double d = CGAL::to_double(b.m_x);
+    const double d = CGAL::to_double(b.m_x), r = 1 / d;
     int exponent;
-    if (std::fabs(std::frexp(d, &exponent)) != 0.5 || Mpzf(d) != b.m_x)
+    if (std::fabs(std::frexp(d, &exponent)) != 0.5 || !std::isfinite(r) || Mpzf(d) != b.m_x)
       throw Conversion_error("the exact ring has no such quotient");
-    return Exact_ring(a.m_x * Mpzf(1 / d));
+    return Exact_ring(a.m_x * Mpzf(r));
   }
   Exact_ring& operator+=(const Exact_ring& b) { return *this = *this + b; }
   Exact_ring& operator-=(const Exact_ring& b) { return *this = *this - b; }
@@ -70,6 +70,13 @@ public:
   friend std::ostream& operator<<(std::ostream& out, const Exact_ring& a) { return out << a.m_x; }
 
 private:
+  static double finite(double x)
+  {
+    if (!std::isfinite(x))
+      throw Conversion_error("a number that is not finite has no exact value");
+    return x;
+  }
+
   Mpzf m_x;
 };
 

@@ -18,6 +18,8 @@
 #include <CGAL/Shape_interrogation/Number_types/Number_type_traits.h>
 #include <CGAL/Shape_interrogation/Number_types/number_cast.h>
 
+#include <CGAL/FPU.h>
+
 #include <cmath>
 #include <ostream>
 
@@ -31,6 +33,14 @@ public:
   [[gnu::always_inline]] Magnitude() : m_v(0), m_m(floor_()), m_k(0) {}
   [[gnu::always_inline]] Magnitude(int v) : Magnitude(static_cast<double>(v)) {}
   [[gnu::always_inline]] Magnitude(double v) : m_v(v), m_m(std::fabs(v) + floor_()), m_k(0) {}
+
+  // Whether an overflow shows: a caller who rounds downward or towards zero gets the largest double
+  // in place of infinity, which later steps could make a small one.
+  static bool is_safe_in_rounding_mode()
+  {
+    const FPU_CW_t mode = FPU_get_cw();
+    return mode == CGAL_FE_TONEAREST || mode == CGAL_FE_UPWARD;
+  }
 
   double value() const { return m_v; }
 

@@ -1,0 +1,225 @@
+// Copyright (c) 2026 The Shape_interrogation authors.
+// All rights reserved.
+//
+// This file is part of Shape_interrogation, a package in the style of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+
+#ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_IMPLICIT_MESHER_H
+#define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_IMPLICIT_MESHER_H
+
+// The mesher of implicit surfaces from its parts: seeds, CGAL's refinement, projection, clipping, the
+// mesh and its properties.
+
+#include <CGAL/Shape_interrogation/Meshing/Implicit_mesh_options.h>
+#include <CGAL/Shape_interrogation/Meshing/Shape_mesh.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/Checked_function.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/Vertex_shape.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/build_surface_mesh.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/clip_to_box.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/implicit_distance.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/run_surface_mesher.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/set_shape.h>
+#include <CGAL/Shape_interrogation/Surfaces/access.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_interrogation {
+namespace internal {
+
+template <class Function, class Go_on>
+class Implicit_mesher
+{
+  using Point = Coordinates<double, 3>;
+
+public:
+  Implicit_mesher(const Implicit_surface_3<Function>& surface, const Mesh_box& box,
+                  const Implicit_mesh_options& options, Go_on go_on)
+    : m_surface(surface), m_box(box), m_options(options), m_go_on(go_on),
+      m_function(surface.function(), go_on)
+  {
+    double side = 0;
+    for (int d = 0; d < 3; ++d)
+    {
+      if (!(box[d][0] < box[d][1]) || !std::isfinite(box[d][1] - box[d][0]))
+        refuse_mesh(Refusal_code::OUTSIDE_DOMAIN, "the box is empty or not finite");
+      side = (std::max)(side, box[d][1] - box[d][0]);
+    }
+    m_edge_length = options.edge_length > 0 ? options.edge_length : side / 20;
+    m_tolerance = options.tolerance > 0 ? options.tolerance : side / 1000;
+  }
+
+  Shape_mesh operator()()
+  {
+    const int cells = std::clamp(m_options.seed_cells, 2, 300);
+    const std::vector<Point> seeds = Seed_grid(m_function, m_box, cells).seeds(m_function);
+    if (seeds.empty())
+      refuse_mesh(Refusal_code::NOT_ON_SURFACE,
+                  "the function has the same sign at all nodes of a grid with " +
+                    std::to_string(cells) + " cells along each side of the box");
+    // What the refinement measures is not quite the distance of the result.
+    std::optional<Shape_mesh> best;
+    double aim = m_tolerance * 0.7;
+    for (int attempt = 0; attempt < 3; ++attempt)
+    {
+      Shape_mesh mesh = make(seeds, aim);
+      const double distance = mesh.report.max_face_distance;
+      if (!best || distance < best->report.max_face_distance)
+        best = std::move(mesh);
+      if (distance <= m_tolerance)
+        break;
+      aim *= (std::max)(0.2, 0.7 * m_tolerance / distance);
+    }
+    fill(*best);
+    return std::move(*best);
+  }
+
+private:
+  Shape_mesh make(const std::vector<Point>& seeds, double distance)
+  {
+    Surface_mesher_input input{{}, 0, (std::min)(m_options.min_angle, 30.0), m_edge_length / 2,
+                               distance, m_options.max_vertices};
+    for (int d = 0; d < 3; ++d)
+    {
+      const double half = (m_box[d][1] - m_box[d][0]) / 2;
+      input.center[d] = m_box[d][0] + half;
+      input.squared_radius += half * half * 1.01;
+    }
+    Mesher_output output = run_surface_mesher(m_function, seeds, input);
+    for (Point& p : output.points)
+    {
+      const auto projected = project_to_surface(m_surface, p);
+      if (projected && squared_distance(projected->point, p) < m_edge_length * m_edge_length)
+        p = projected->point;
+    }
+    for (auto& t : output.triangles)
+      orient(t, output.points);
+    const auto gradient = [this](const Point& p) {
+      const Jet<double, 3, 1> f = m_surface.template jet<1>(p);
+      return std::array<double, 4>{f.value(), f.derivative(0), f.derivative(1), f.derivative(2)};
+    };
+    Box_clipper<decltype(gradient)>(output.points, output.triangles, gradient)(m_box);
+    Built_mesh built = build_surface_mesh(output.points, output.triangles);
+    Shape_mesh result{std::move(built.mesh), {}};
+    describe_topology(result.surface_mesh, result.report);
+    result.report.manifold = built.is_manifold;
+    describe_distances(result);
+    return result;
+  }
+
+  // Turns a triangle so that its normal goes along the gradient.
+  void orient(Soup_triangle& t, const std::vector<Point>& points) const
+  {
+    const Point &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
+    const Point middle{(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3,
+                       (a[2] + b[2] + c[2]) / 3};
+    const Jet<double, 3, 1> f = m_surface.template jet<1>(middle);
+    const Point gradient{f.derivative(0), f.derivative(1), f.derivative(2)};
+    const Point ab{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
+    const Point ac{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
+    if (dot(cross(ab, ac), gradient) < 0)
+      std::swap(t[1], t[2]);
+  }
+
+  static Point coordinates(const Shape_mesh::Point_3& p) { return {p.x(), p.y(), p.z()}; }
+
+  // Of a triangle or, three times the same point, of a vertex.
+  void add_distance(const std::array<Point, 3>& t, double& largest, bool& is_certified) const
+  {
+    const Implicit_distance<Function> distance(m_surface, 2 * m_tolerance);
+    if (const auto bound = distance.bound(t))
+    {
+      largest = (std::max)(largest, *bound);
+      return;
+    }
+    is_certified = false;
+    for (const std::array<double, 3>& l : {std::array<double, 3>{1, 0, 0}, {0, 1, 0}, {0, 0, 1},
+                                           {0, .5, .5}, {.5, 0, .5}, {.5, .5, 0}, {.4, .3, .3}})
+    {
+      Point p;
+      for (int k = 0; k < 3; ++k)
+        p[k] = l[0] * t[0][k] + l[1] * t[1][k] + l[2] * t[2][k];
+      const auto projected = project_to_surface(m_surface, p);
+      if (projected)
+        largest = (std::max)(largest, std::sqrt(squared_distance(projected->point, p)));
+    }
+  }
+
+  void describe_distances(Shape_mesh& result) const
+  {
+    const Shape_mesh::Surface_mesh& mesh = result.surface_mesh;
+    Mesh_report& report = result.report;
+    report.tolerance = m_tolerance;
+    report.vertex_distance_certified = report.face_distance_certified = true;
+    double largest = 0;
+    for (const auto v : mesh.vertices())
+    {
+      const Point p = coordinates(mesh.point(v));
+      largest = (std::max)({largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
+      add_distance({p, p, p}, report.max_vertex_distance, report.vertex_distance_certified);
+    }
+    for (const auto f : mesh.faces())
+    {
+      check_progress();
+      std::array<Point, 3> t;
+      int k = 0;
+      for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
+        t[k++] = coordinates(mesh.point(v));
+      add_distance(t, report.max_face_distance, report.face_distance_certified);
+    }
+    // Triangles are divided at rounded points.
+    report.max_face_distance += std::ldexp(largest, -50);
+  }
+
+  void fill(Shape_mesh& result) const
+  {
+    Shape_property_maps maps(result.surface_mesh);
+    for (const auto v : result.surface_mesh.vertices())
+    {
+      check_progress();
+      const Point p = coordinates(result.surface_mesh.point(v));
+      const Result<Vertex_shape> shape = vertex_shape(
+        [&] { return m_surface.level_set_shape(convert<Interval_nt<false>>(p)); },
+        [&] { return m_surface.level_set_shape(convert<Exact_rational>(p)); });
+      if (shape)
+        set_shape(maps, v, *shape);
+      else
+        result.report.refused_places.push_back({v.idx(), -1, {0, 0}, p, shape.refusal().code(),
+                                                shape.refusal().evidence()});
+    }
+  }
+
+  template <class NT>
+  static Coordinates<NT, 3> convert(const Point& p)
+  {
+    return {NT(p[0]), NT(p[1]), NT(p[2])};
+  }
+
+  void check_progress() const
+  {
+    if (++m_steps % 1024 == 0 && !m_go_on())
+      refuse_mesh(Refusal_code::CANCELLED, "the meshing was cancelled");
+  }
+
+  const Implicit_surface_3<Function>& m_surface;
+  const Mesh_box m_box;
+  const Implicit_mesh_options m_options;
+  Go_on m_go_on;
+  Checked_function<Function, Go_on> m_function;
+  double m_edge_length, m_tolerance;
+  mutable std::size_t m_steps = 0;
+};
+
+} // namespace internal
+} // namespace Shape_interrogation
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_IMPLICIT_MESHER_H

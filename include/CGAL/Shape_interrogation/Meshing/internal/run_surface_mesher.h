@@ -1,0 +1,117 @@
+// Copyright (c) 2026 The Shape_interrogation authors.
+// All rights reserved.
+//
+// This file is part of Shape_interrogation, a package in the style of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+
+#ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_RUN_SURFACE_MESHER_H
+#define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_RUN_SURFACE_MESHER_H
+
+// CGAL's Delaunay refinement of an implicit surface in a ball, step by step so that it can be stopped.
+// The only file that includes that mesher: it takes long to compile.
+
+#include <CGAL/Shape_interrogation/Meshing/internal/Mesh_refused.h>
+#include <CGAL/Shape_interrogation/Waist/Symmetric_matrix_3.h>
+
+#include <CGAL/Implicit_surface_3.h>
+#include <CGAL/Surface_mesh_default_criteria_3.h>
+#include <CGAL/Surface_mesh_default_triangulation_3.h>
+#include <CGAL/Surface_mesher_generator.h>
+#include <CGAL/make_surface_mesh.h>
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <unordered_map>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_interrogation {
+namespace internal {
+
+struct Surface_mesher_input
+{
+  Coordinates<double, 3> center;
+  double squared_radius;
+  double min_angle, ball_radius, distance; // the three criteria of the refinement
+  std::size_t max_vertices;
+};
+
+struct Mesher_output
+{
+  std::vector<Coordinates<double, 3>> points;
+  std::vector<std::array<std::size_t, 3>> triangles; // with any orientation
+};
+
+// A number in [-1, 1] from the one before.
+inline double next_offset(std::uint32_t& state)
+{
+  state = state * 1664525u + 1013904223u;
+  return double(state >> 8) / double(1 << 23) - 1;
+}
+
+// `f` takes coordinates; `seeds` are points on the surface, some on each component.
+template <class Function>
+Mesher_output run_surface_mesher(Function& f, const std::vector<Coordinates<double, 3>>& seeds,
+                                 const Surface_mesher_input& input)
+{
+  using Triangulation = Surface_mesh_default_triangulation_3;
+  using Complex = Surface_mesh_complex_2_in_triangulation_3<Triangulation>;
+  using Geom_traits = Triangulation::Geom_traits;
+  using Point = Geom_traits::Point_3;
+  using Surface = CGAL::Implicit_surface_3<Geom_traits>;
+  using Surface_traits = Surface_mesh_traits_generator_3<Surface>::type;
+  using Criteria = Surface_mesh_default_criteria_3<Triangulation>;
+  using Mesher = Surface_mesher_generator<Complex, Surface_traits, Criteria,
+                                          Manifold_with_boundary_tag>::type;
+  Triangulation triangulation;
+  Complex complex(triangulation);
+  const Point center(input.center[0], input.center[1], input.center[2]);
+  // With larger errors than 1e-10 of the ball the points leave the surface visibly.
+  const Surface surface([&f](const Point& p) { return f({p.x(), p.y(), p.z()}); },
+                        Geom_traits::Sphere_3(center, input.squared_radius), 1e-10);
+  // The mesher needs a triangulation of dimension three: seeds of a plane must not lie in it.
+  const double size = 1e-6 * std::sqrt(input.squared_radius);
+  std::uint32_t state = 1;
+  for (const auto& seed : seeds)
+  {
+    const double x = next_offset(state), y = next_offset(state), z = next_offset(state);
+    triangulation.insert(Point(seed[0] + size * x, seed[1] + size * y, seed[2] + size * z));
+  }
+  const Criteria criteria(input.min_angle, input.ball_radius, input.distance);
+  Surface_traits traits;
+  Mesher mesher(complex, surface, traits, criteria);
+  mesher.init();
+  Null_mesh_visitor visitor;
+  while (!mesher.is_algorithm_done())
+  {
+    mesher.one_step(visitor);
+    if (triangulation.number_of_vertices() > input.max_vertices)
+      refuse_mesh(Refusal_code::LIMIT_EXCEEDED, "the mesh needs more vertices than are allowed");
+  }
+  Mesher_output output;
+  std::unordered_map<Triangulation::Vertex_handle, std::size_t> number;
+  for (auto it = complex.facets_begin(); it != complex.facets_end(); ++it)
+  {
+    std::array<std::size_t, 3> triangle;
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto v = it->first->vertex((it->second + 1 + k) & 3);
+      const auto added = number.emplace(v, output.points.size());
+      if (added.second)
+        output.points.push_back({v->point().x(), v->point().y(), v->point().z()});
+      triangle[k] = added.first->second;
+    }
+    output.triangles.push_back(triangle);
+  }
+  return output;
+}
+
+} // namespace internal
+} // namespace Shape_interrogation
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_RUN_SURFACE_MESHER_H
