@@ -8,9 +8,9 @@ all is well.
   check_doc.py --self-test     each check can fail
 
 Every name that a public header puts into a documentation group is on the classified reference pages
-(doc/Shape_interrogation/PackageDescription.txt), and the pages name nothing else. Each example is listed in examples.txt and in the README of the examples, and has
-at most 70 lines. The C++ example of README.md is 00_readme.cpp, and the files that README.md and the
-manual point to exist.
+(doc/Shape_interrogation/PackageDescription.txt), and these name nothing else. Each example is in
+examples.txt and in the README of the examples, and has at most 70 lines. The example of README.md
+is that of 00_readme.cpp. The files that README.md points to and the figures of the manual exist.
 """
 import pathlib
 import re

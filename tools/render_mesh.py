@@ -7,9 +7,11 @@
                  [--view AZIMUTH,ELEVATION]
 
 MESH.ply is a file that write_ply() or the program interrogate has written, in either encoding, with
-normals (nx, ny, nz). The property (default gaussian_curvature) is shown from blue (-X and less) through
-white (0) to red (X and more); without --bound, X is the magnitude that nine tenths of the vertices
-stay below. The azimuth and the elevation of the viewer are in degrees; z points upward.
+normals (nx, ny, nz). The property (default gaussian_curvature) is shown from blue (-X and less)
+through white (0) to red (X and more); without --bound, X is the magnitude that nine tenths of the
+vertices stay below. The azimuth and the elevation of the viewer are in degrees; z points upward. A
+vertex on an edge between patches has the value of one of them: in triangles of the other it is left
+out.
 """
 import argparse
 import math
@@ -54,25 +56,22 @@ def number_reader(stream, encoding):
 
 
 def read_ply(path):
-    """Returns the columns of the vertices by name, and the corners of the faces."""
+    """Returns the columns of the vertices and of the faces by name; corners are a column, too."""
     with open(path, "rb") as stream:
         if stream.readline().strip() != b"ply":
             raise ValueError("this is no PLY file")
         encoding, elements = read_header(stream)
         read = number_reader(stream, encoding)
-        columns, faces = {}, []
+        columns = {"vertex": {}, "face": {}}
         for element, count, properties in elements:
             for _ in range(count):
                 for name, kind in properties:
                     if kind[0] == "list":
-                        corners = [read(kind[2]) for _ in range(read(kind[1]))]
-                        if element == "face":
-                            faces.append(corners)
+                        value = [read(kind[2]) for _ in range(read(kind[1]))]
                     else:
                         value = read(kind[0])
-                        if element == "vertex":
-                            columns.setdefault(name, []).append(value)
-    return columns, faces
+                    columns.setdefault(element, {}).setdefault(name, []).append(value)
+    return columns["vertex"], columns["face"]
 
 
 def frame(azimuth, elevation):
@@ -179,6 +178,14 @@ def write_png(path, width, height, rows):
                      chunk(b"IDAT", zlib.compress(bytes(data), 9)) + chunk(b"IEND", b""))
 
 
+def values_in(face, patch, values, patches):
+    """Returns the values of the corners; that of another patch becomes a mean of the others."""
+    own = [values[v] for v in face if patches[v] == patch]
+    if not own:
+        return [values[v] for v in face]
+    return [values[v] if patches[v] == patch else sum(own) / len(own) for v in face]
+
+
 def render(columns, faces, options):
     """Returns the canvas with the mesh."""
     width, height = (SAMPLES * int(n) for n in options.size.lower().split("x"))
@@ -193,13 +200,16 @@ def render(columns, faces, options):
     xs, ys = [dot(p, right) for p in points], [dot(p, up) for p in points]
     scale = 0.94 * min(width / (max(xs) - min(xs)), height / (max(ys) - min(ys)))
     middle_x, middle_y = (max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2
-    corners = [(width / 2 + scale * (x - middle_x), height / 2 - scale * (y - middle_y),
-                dot(p, viewer), *shade(color_of(v / bound), n, viewer, light))
-               for x, y, p, n, v in zip(xs, ys, points, normals, values)]
+    places = [(width / 2 + scale * (x - middle_x), height / 2 - scale * (y - middle_y),
+               dot(p, viewer)) for x, y, p in zip(xs, ys, points)]
+    lists = faces["vertex_indices"]
+    patches = columns.get("patch", [0] * len(points))
     canvas = Canvas(width, height)
-    for face in faces:
+    for face, patch in zip(lists, faces.get("patch", [0] * len(lists))):
+        corners = [(*places[v], *shade(color_of(value / bound), normals[v], viewer, light))
+                   for v, value in zip(face, values_in(face, patch, values, patches))]
         for i in range(1, len(face) - 1):
-            canvas.draw([corners[face[0]], corners[face[i]], corners[face[i + 1]]])
+            canvas.draw([corners[0], corners[i], corners[i + 1]])
     return canvas
 
 

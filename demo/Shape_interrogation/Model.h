@@ -112,7 +112,6 @@ struct Mesh_task
   Number edge_length;
   std::optional<Number> tolerance;
   std::optional<std::array<Range, 3>> box;
-  std::optional<Numbers<3>> start;
 };
 
 // What the format knows and this version does not offer: the sentence that says so.

@@ -54,6 +54,10 @@ int run(const Options& options)
   const std::filesystem::path file(options.model);
   const std::filesystem::path directory =
     options.out.empty() ? file.parent_path() / file.stem() : std::filesystem::path(options.out);
+  if (std::filesystem::exists(directory) && !std::filesystem::is_directory(directory) &&
+      options.out.empty())
+    throw Model_error(printable(options.model),
+                      "the name has no extension to leave out for a directory: give --out");
   make_directory(directory);
   std::optional<Number_type> preferred;
   if (!options.number_type.empty())

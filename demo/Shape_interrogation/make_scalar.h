@@ -51,7 +51,7 @@ inline Scalar make_scalar(double x)
 {
   if (!std::isfinite(x))
     throw si::Limit_error("a value overflows in double");
-  return Scalar{x, "", {}};
+  return Scalar{x + 0.0, "", {}}; // no -0
 }
 
 inline Scalar make_scalar(const Interval& x)
@@ -59,7 +59,7 @@ inline Scalar make_scalar(const Interval& x)
   Scalar s;
   s.interval = std::make_pair(x.inf(), x.sup());
   if (std::isfinite(x.inf()) && std::isfinite(x.sup()))
-    s.approx = x.inf() / 2 + x.sup() / 2;
+    s.approx = x.inf() / 2 + x.sup() / 2 + 0.0; // no -0
   return s;
 }
 

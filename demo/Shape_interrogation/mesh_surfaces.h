@@ -25,10 +25,14 @@ namespace si = CGAL::Shape_interrogation;
 
 using Show_progress = std::function<bool(std::size_t done, std::size_t total)>;
 
-// All patches in one mesh. `patch_surfaces` receives the name of the surface of each patch.
+// All patches in one mesh. Patch numbers are positions in the task's list of surfaces, parameters
+// those of the surface.
 si::Result<si::Shape_mesh> mesh_patches(const Model& model, const Mesh_task& task,
-                                        std::vector<std::string>& patch_surfaces,
                                         const Show_progress& progress);
+
+// The part of an implicit surface in the box of the task.
+si::Result<si::Shape_mesh> mesh_implicit(const Model& model, const Mesh_task& task,
+                                         const Show_progress& progress);
 
 } // namespace interrogate
 

@@ -43,6 +43,8 @@ std::string read_file(const std::string& file)
   }
   if (in.bad())
     throw Model_error(printable(file), "the model cannot be read to its end");
+  if (text.find('\0') != std::string::npos)
+    throw Model_error(printable(file), "this is not a text file: it has a byte 0");
   return text;
 }
 

@@ -180,7 +180,8 @@ std::vector<Json_place> mesh_surface_names(const Json_place& place)
 }
 
 // Why this version does not mesh the surface, or nothing if it does.
-std::optional<Unsupported_task> refuse_mesh(const Surface_model& surface, bool is_alone)
+std::optional<Unsupported_task> refuse_mesh(const Surface_model& surface, bool is_alone,
+                                            bool has_box)
 {
   if (const Unsupported* unsupported = std::get_if<Unsupported>(&surface.data))
     return no_kind(unsupported->kind);
@@ -189,7 +190,13 @@ std::optional<Unsupported_task> refuse_mesh(const Surface_model& surface, bool i
   if (std::holds_alternative<Parametric_model>(surface.data))
     return Unsupported_task{"the meshing of the kind \"parametric\" is not available in this"
                             " version: give the surface as \"bezier\", \"nurbs\" or \"implicit\""};
-  if (!is_alone && std::holds_alternative<Implicit_model>(surface.data))
+  const bool is_implicit = std::holds_alternative<Implicit_model>(surface.data);
+  if (is_implicit && !has_box)
+    return Unsupported_task{"the meshing of an implicit surface without \"box\" is not available in"
+                            " this version"};
+  if (!is_implicit && has_box)
+    return Unsupported_task{"\"box\" for the meshing of patches is not available in this version"};
+  if (!is_alone && is_implicit)
     return Unsupported_task{"an implicit surface is meshed alone: \"surfaces\" are patches"};
   return std::nullopt;
 }
@@ -206,6 +213,8 @@ Task_data read_mesh(const Json_place& place, const Model& model)
                      "start"});
   if (place.find("curve"))
     return Unsupported_task{"the meshing of curves is not available in this version"};
+  if (place.find("start"))
+    return Unsupported_task{"\"start\" in a mesh is not available in this version"};
   Mesh_task task;
   task.file = read_file_name(place.field("file"));
   task.edge_length = read_positive_number(place.field("edge_length"));
@@ -213,16 +222,11 @@ Task_data read_mesh(const Json_place& place, const Model& model)
     task.tolerance = read_positive_number(*tolerance);
   if (const std::optional<Json_place> box = place.find("box"))
     task.box = read_box(*box);
-  if (const std::optional<Json_place> start = place.find("start"))
-  {
-    start->allow_only({"point"});
-    task.start = read_point<3>(start->field("point"), "an array of 3 numbers");
-  }
   const std::vector<Json_place> names = mesh_surface_names(place);
   for (const Json_place& name : names)
   {
     const Surface_model& surface = read_name(name, model.surfaces, "surface");
-    if (const auto refused = refuse_mesh(surface, names.size() == 1))
+    if (const auto refused = refuse_mesh(surface, names.size() == 1, task.box.has_value()))
       return *refused;
     task.surfaces.push_back(name.string(""));
   }

@@ -25,14 +25,14 @@ Report_json distance(double value, bool certified)
 }
 
 Report_json place_to_json(const si::Refused_place& place,
-                          const std::vector<std::string>& patch_surfaces)
+                          const std::vector<std::string>& surfaces)
 {
   Report_json json;
   json["vertex"] = place.vertex;
   json["point"] = place.point;
   if (place.patch >= 0)
   {
-    json["surface"] = patch_surfaces[place.patch];
+    json["surface"] = surfaces[place.patch];
     json["parameters"] = place.parameters;
   }
   json["code"] = si::to_string(place.code);
@@ -40,7 +40,7 @@ Report_json place_to_json(const si::Refused_place& place,
   return json;
 }
 
-void store(const si::Mesh_report& report, const std::vector<std::string>& patch_surfaces,
+void store(const si::Mesh_report& report, const std::vector<std::string>& surfaces,
            Task_result& result)
 {
   Report_json& json = result.fields;
@@ -56,7 +56,7 @@ void store(const si::Mesh_report& report, const std::vector<std::string>& patch_
   json["max_face_distance"] = distance(report.max_face_distance, report.face_distance_certified);
   json["refused_places"] = Report_json::array();
   for (const si::Refused_place& place : report.refused_places)
-    json["refused_places"].push_back(place_to_json(place, patch_surfaces));
+    json["refused_places"].push_back(place_to_json(place, surfaces));
   result.line = std::to_string(report.vertices) + " vertices, " + std::to_string(report.faces) +
                 " triangles, at most " + Report_json(report.max_face_distance).dump() +
                 (report.face_distance_certified ? " (certified)" : " (at samples)") +
@@ -92,9 +92,11 @@ void run_mesh(const Model& model, const Mesh_task& task, const std::filesystem::
     progress.show(done, total);
     return true;
   };
-  std::vector<std::string> patch_surfaces;
-  result.number_type = "filtered";
-  const si::Result<si::Shape_mesh> mesh = mesh_patches(model, task, patch_surfaces, show);
+  const Surface_model& first = model.surfaces.at(task.surfaces.front());
+  const bool is_implicit = std::holds_alternative<Implicit_model>(first.data);
+  result.number_type = is_implicit ? "double" : "filtered";
+  const si::Result<si::Shape_mesh> mesh =
+    is_implicit ? mesh_implicit(model, task, show) : mesh_patches(model, task, show);
   if (!mesh)
   {
     result.status = "refused";
@@ -102,7 +104,7 @@ void run_mesh(const Model& model, const Mesh_task& task, const std::filesystem::
     result.text = mesh.refusal().evidence();
     return;
   }
-  store(mesh->report, patch_surfaces, result);
+  store(mesh->report, task.surfaces, result);
   write(*mesh, directory, task.file, result);
 }
 

@@ -12,6 +12,7 @@
 #define BOOST_BIND_GLOBAL_PLACEHOLDERS // Boost's JSON reader wants to be told
 #include <CGAL/Shape_interrogation/Differentiation/parse_decimal.h>
 #include <CGAL/Shape_interrogation/IO/write_mesh.h>
+#include <CGAL/Shape_interrogation/Meshing/color_by_property.h>
 #include <CGAL/Shape_interrogation/Meshing/mesh_patches.h>
 
 #include <boost/property_tree/json_parser.hpp>
@@ -57,14 +58,8 @@ int main()
   for (const Refused_place& place : report.refused_places)
     std::cout << "no curvature at (" << place.point[0] << ", " << place.point[1] << ", "
               << place.point[2] << "): " << to_string(place.code) << '\n';
-  const Shape_property_maps maps(teapot.surface_mesh);
-  using Color = CGAL::IO::Color;
-  auto colors = teapot.surface_mesh.add_property_map<Shape_property_maps::Vertex, Color>("v:color");
-  for (const auto v : teapot.surface_mesh.vertices())
-  {
-    const double k = maps.gaussian_curvature[v];
-    const auto pale = static_cast<unsigned char>(255 / (1 + std::fabs(k)));
-    colors.first[v] = k > 0 ? Color(255, pale, pale) : Color(pale, pale, 255);
-  }
+
+  const double range = color_by_property(teapot.surface_mesh, "v:gaussian_curvature");
+  std::cout << "colours from " << -range << " (blue) to " << range << " (red)\n";
   return write_mesh("teapot_with_colors.ply", teapot.surface_mesh) ? EXIT_SUCCESS : EXIT_FAILURE;
 }

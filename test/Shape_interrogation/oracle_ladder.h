@@ -9,8 +9,8 @@
 #ifndef SHAPE_INTERROGATION_TEST_ORACLE_LADDER_H
 #define SHAPE_INTERROGATION_TEST_ORACLE_LADDER_H
 
-// The same surface and point in intervals, doubles, exact reals and through the filter, held against
-// the exact numbers of the case.
+// The same surface and point in intervals, doubles, exact reals and through the filter, held
+// against the exact numbers of the case.
 
 #include "oracle_checks.h"
 
@@ -21,7 +21,7 @@
 
 namespace oracles {
 
-// --- Intervals: they contain the exact numbers, or say that they do not know ----------------------
+// --- Intervals: they contain the exact numbers, or say that they do not know ---------------------
 
 template <class Exact>
 bool contains(const Interval& x, const Exact& value)
@@ -147,12 +147,12 @@ void run_interval(const Case& c, const Surface& surface, const Query& query, Cou
     expect_enclosures<Exact>(a, c.expected, count);
 }
 
-// --- Doubles: compared where the interval shows that they are well conditioned --------------------
+// --- Doubles: compared where the interval shows that they are well conditioned -------------------
 
 // `value` comes from the operations that led to `enclosure`, which contains the exact number: both
 // lie in it, unless a pivot was chosen otherwise; hence the factor.
-inline void expect_near(double value, const Interval& enclosure, const Real& exact, const char* what,
-                        Count& count)
+inline void expect_near(double value, const Interval& enclosure, const Real& exact,
+                        const char* what, Count& count)
 {
   const double width = enclosure.sup() - enclosure.inf();
   const double size = CGAL::to_interval(CGAL::abs(enclosure)).second;
@@ -187,7 +187,7 @@ void run_double(const Case& c, const Surface& surface, const Query& query, Count
   expect_near(principal[1], a.high, number<Real>(e.text("kappa_max")), "kappa_max", count);
 }
 
-// --- The filter decides as the exact type ---------------------------------------------------------
+// --- The filter decides as the exact type --------------------------------------------------------
 
 // The number type of a query.
 template <class Query>
@@ -250,7 +250,7 @@ void run_filtered(const Case& c, const Surface& surface, const Query& query, Cou
                   refused ? 0 : e.flag("umbilic"), c, count);
 }
 
-// --- Exact reals: all signs -----------------------------------------------------------------------
+// --- Exact reals: all signs ----------------------------------------------------------------------
 
 template <class Surface, class Query>
 void run_real(const Case& c, const Surface& surface, const Query& query, Count& count)

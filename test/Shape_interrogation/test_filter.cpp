@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 
-// The filter: which stage decides, that decisions are those of exact arithmetic whatever the rounding
-// mode and the range, that the rounding mode is restored on every path, and threads.
+// The filter: which stage decides, that decisions are those of exact arithmetic whatever the
+// rounding mode and the range, that the rounding mode is restored on every path, and threads.
 
 #include "random_rationals.h"
 
@@ -69,7 +69,7 @@ Point random_point(Random& random, double size = 2)
   return {random.real(-size, size), random.real(-size, size), random.real(-size, size)};
 }
 
-// --- Functions ------------------------------------------------------------------------------------
+// --- Functions -----------------------------------------------------------------------------------
 
 struct Torus
 {
@@ -160,7 +160,7 @@ struct Almost_sphere
   }
 };
 
-// --- Which stage decides --------------------------------------------------------------------------
+// --- Which stage decides -------------------------------------------------------------------------
 
 TEST(Filter_stages, generic_input_stays_in_floating_point)
 {
@@ -181,9 +181,9 @@ TEST(Filter_stages, generic_input_stays_in_floating_point)
   EXPECT_EQ(statistics.fallbacks(), 0u);
   EXPECT_EQ(statistics.magnitude + statistics.interval, 3u * n);
   EXPECT_GT(statistics.magnitude, 29u * n / 10);
-  std::cout << "counts: filter, " << 3 * n << " decisions on generic input: " << statistics.magnitude
-            << " by magnitude, " << statistics.interval << " by interval, "
-            << statistics.fallbacks() << " exactly\n";
+  std::cout << "counts: filter, " << 3 * n << " decisions on generic input: "
+            << statistics.magnitude << " by magnitude, " << statistics.interval
+            << " by interval, " << statistics.fallbacks() << " exactly\n";
 }
 
 // Asks the filter n times and checks the answers.
@@ -276,7 +276,7 @@ TEST(Filter_stages, almost_umbilic)
   }
 }
 
-// --- Functions that no exact type has -------------------------------------------------------------
+// --- Functions that no exact type has ------------------------------------------------------------
 
 struct Bare_sign_of_k
 {
@@ -335,7 +335,7 @@ TEST(Filter_transcendental, bare_decision_throws)
   EXPECT_EQ(effective_rounding(), FE_TONEAREST);
 }
 
-// --- Range ----------------------------------------------------------------------------------------
+// --- Range ---------------------------------------------------------------------------------------
 
 TEST(Filter_range, tiny_and_huge_points)
 {
@@ -424,7 +424,7 @@ TEST(Filter_range, data_that_are_no_numbers_get_no_answer)
   EXPECT_EQ(effective_rounding(), FE_TONEAREST);
 }
 
-// --- The rounding mode ----------------------------------------------------------------------------
+// --- The rounding mode ---------------------------------------------------------------------------
 
 // Zero, undecided until it is computed exactly; throws in the stage that computes in `Stage`.
 template <class Stage, class Exception>
@@ -511,7 +511,7 @@ TEST(Filter_rounding, restored_after_answers_and_of_no_influence)
   }
 }
 
-// --- Threads --------------------------------------------------------------------------------------
+// --- Threads -------------------------------------------------------------------------------------
 
 // Runs decisions of all kinds in a rounding mode, and counts what is wrong.
 template <class Sign, class Umbilic>
@@ -579,7 +579,7 @@ TEST(Filter_threads, started_while_another_is_inside)
   EXPECT_GE(upward, 1) << "the interval stage rounds upward";
 }
 
-// --- The first stage never certifies a wrong sign -------------------------------------------------
+// --- The first stage never certifies a wrong sign ------------------------------------------------
 
 struct Tracked
 {

@@ -233,7 +233,7 @@ TEST_F(Program, unusable_commands_and_models)
   const std::string model = write("m.json", sphere_model).string();
   expect_unusable("'" + model + "' --out '" + model + "'", "directory of the report");
   expect_unusable("'" + model + "' --out '" + model + "/below'", "directory of the report");
-  expect_unusable("/dev/zero --out '" + m_directory.string() + "'", "bytes");
+  expect_unusable("/dev/zero --out '" + m_directory.string() + "'", "byte 0");
 }
 
 TEST_F(Program, usual_calls)

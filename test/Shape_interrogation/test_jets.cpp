@@ -28,7 +28,7 @@ using testing_shapes::Q;
 using testing_shapes::Random;
 using Interval = CGAL::Interval_nt<false>;
 
-// --- Polynomials, differentiated by hand ----------------------------------------------------------
+// --- Polynomials, differentiated by hand ---------------------------------------------------------
 
 // A polynomial in N variables as a sum of monomials: slow, simple, and not a jet.
 template <int N>
@@ -198,7 +198,7 @@ TEST(Jets, point_moving_along_directions)
   EXPECT_EQ(f.derivative(0, 1), Q(8 * (2 * 5 + 3 * -1) + 2 * -1 * 5));
 }
 
-// --- Quotients ------------------------------------------------------------------------------------
+// --- Quotients -----------------------------------------------------------------------------------
 
 template <int N, int Order>
 void expect_quotients(unsigned seed)
@@ -253,7 +253,7 @@ TEST(Jets, division_by_zero_in_every_form)
   expect_division_by_zero<Interval>();
 }
 
-// --- Elementary functions -------------------------------------------------------------------------
+// --- Elementary functions ------------------------------------------------------------------------
 
 bool contains(const Interval& x, const Q& value)
 {
@@ -340,7 +340,7 @@ TEST(Jet_functions, exact_roots)
   EXPECT_EQ(sqrt(J(Q(0))).value(), Q(0)) << "a constant";
 }
 
-// --- Zeros by structure ---------------------------------------------------------------------------
+// --- Zeros by structure --------------------------------------------------------------------------
 
 // All coefficients there, as explicit zeros.
 template <class J>

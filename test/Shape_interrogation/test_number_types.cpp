@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 
-// Number types: conversions, the quadratic field, elementary functions of intervals. Truth comes from
-// exact comparisons, from CORE::Expr, and from MPFR with 300 bits.
+// Number types: conversions, the quadratic field, elementary functions of intervals. Truth comes
+// from exact comparisons, from CORE::Expr, and from MPFR with 300 bits.
 
 #include "random_rationals.h"
 
@@ -64,7 +64,7 @@ private:
   int m_old;
 };
 
-// --- Conversions ----------------------------------------------------------------------------------
+// --- Conversions ---------------------------------------------------------------------------------
 
 // No double is nearer to x than d.
 template <class Exact>
@@ -194,7 +194,7 @@ TEST(Number_cast, whole_arguments)
   EXPECT_EQ(&cast_argument<double>(other), &other);
 }
 
-// --- The quadratic field --------------------------------------------------------------------------
+// --- The quadratic field -------------------------------------------------------------------------
 
 Field random_field_number(Random& random, const Q& root)
 {
@@ -327,7 +327,7 @@ TEST(Reduced_square_root, factors_and_proof)
   EXPECT_TRUE(reduced_square_root(Q(Q(12) / 35)).square_free);
 }
 
-// --- Elementary functions -------------------------------------------------------------------------
+// --- Elementary functions ------------------------------------------------------------------------
 
 using Mpfr_function = int (*)(mpfr_t, mpfr_srcptr, mpfr_rnd_t);
 using Interval_function = Interval (*)(const Interval&);

@@ -61,7 +61,7 @@ struct Counts
   }
 };
 
-// --- Three tangents -------------------------------------------------------------------------------
+// --- Three tangents ------------------------------------------------------------------------------
 
 template <class NT>
 std::array<Coordinates<NT, 2>, 3> tangents(const Case& c)
@@ -187,7 +187,7 @@ TEST(Oracles_three_tangents, all_number_types)
   counts.expect_visited(4);
 }
 
-// --- Asymptotic directions ------------------------------------------------------------------------
+// --- Asymptotic directions -----------------------------------------------------------------------
 
 const char* name(Asymptotic_type type)
 {
@@ -316,7 +316,7 @@ TEST(Oracles_asymptotic, all_number_types)
   counts.expect_visited(9);
 }
 
-// --- Dupin's indicatrix ---------------------------------------------------------------------------
+// --- Dupin's indicatrix --------------------------------------------------------------------------
 
 const char* name(Dupin_type type)
 {

@@ -137,7 +137,7 @@ TEST(Oracles_nspace_curvature, exact_real)
   EXPECT_EQ(count.visited(), 32);
 }
 
-// --- Theorem 3 and Corollary 5 --------------------------------------------------------------------
+// --- Theorem 3 and Corollary 5 -------------------------------------------------------------------
 
 // The three ways to one normal curvature, in random tangent directions.
 template <class NT>
@@ -198,7 +198,7 @@ TEST(N_space_cross_checks, refusals)
   EXPECT_EQ(skew.refusal().code(), Refusal_code::NOT_TANGENT);
 }
 
-// --- The table of the appendix --------------------------------------------------------------------
+// --- The table of the appendix -------------------------------------------------------------------
 
 const char* const entry_names[] = {"alpha_1", "alpha_2", "alpha_3", "alpha_4", "alpha_5",
                                    "alpha_6", "alpha_7", "alpha_8", "alpha_9", "alpha_0"};

@@ -23,7 +23,7 @@ namespace {
 
 using namespace oracles;
 
-// --- The Hessian of the normalform ----------------------------------------------------------------
+// --- The Hessian of the normalform ---------------------------------------------------------------
 
 template <class NT>
 using Directions = std::array<Coordinates<NT, 3>, 3>;
@@ -301,7 +301,7 @@ TEST(Oracles_normalform_hessian, case_formulas_in_intervals)
   EXPECT_GT(widest, 1) << "the twin with a component of 8e-21";
 }
 
-// --- Plane curves ---------------------------------------------------------------------------------
+// --- Plane curves --------------------------------------------------------------------------------
 
 template <class NT>
 Result<Local_shape_2<NT>> curve_shape(const Case& c)

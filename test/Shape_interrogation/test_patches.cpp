@@ -674,6 +674,7 @@ TEST(Nurbs_surface, has_as_many_one_sided_shapes_as_its_continuity_asks)
   EXPECT_EQ(surface.one_sided_shapes({Q(0), Q(1)})->front().side_v, Side::LEFT);
 
   const auto sides = *surface.one_sided_shapes({Q(2), Q(1)});
+  ASSERT_EQ(sides.size(), 4u);
   for (const auto& side : sides)
   {
     expect_same_answer(side.shape, surface({Q(2), Q(1)}, side.side_u, side.side_v));

@@ -35,7 +35,7 @@ using Interval = CGAL::Interval_nt<false>;
 using Shape = Local_shape_3<Q>;
 using Point = Coordinates<Q, 3>;
 
-// --- Surfaces of the tests ------------------------------------------------------------------------
+// --- Surfaces of the tests -----------------------------------------------------------------------
 
 struct Torus // radii 2 and 1
 {
@@ -147,7 +147,7 @@ Q expect_same_surface(const Shape& t, const Shape& s)
   return mu;
 }
 
-// --- The sign rule --------------------------------------------------------------------------------
+// --- The sign rule -------------------------------------------------------------------------------
 
 TEST(Sign_rule, sphere_with_outward_normal_is_positive)
 {
@@ -206,7 +206,7 @@ TEST(Sign_rule, opposite_principal_curvatures)
   }
 }
 
-// --- Constructions --------------------------------------------------------------------------------
+// --- Constructions -------------------------------------------------------------------------------
 
 TEST(Constructions, form_frame_and_matrix_agree)
 {
@@ -291,7 +291,7 @@ TEST(Constructions, matrix_that_does_not_annihilate_the_normal)
 }
 #endif
 
-// --- Invariance -----------------------------------------------------------------------------------
+// --- Invariance ----------------------------------------------------------------------------------
 
 // f after the inverse of a motion x -> R x + t and a scaling by s.
 template <class Function>
@@ -442,7 +442,7 @@ TEST(Invariance, reparametrisation)
   EXPECT_GT(negative, 0);
 }
 
-// --- One surface in several representations -------------------------------------------------------
+// --- One surface in several representations ------------------------------------------------------
 
 Q gaussian_of_torus(const Q& t)
 {
@@ -507,7 +507,7 @@ TEST(Representations, torus_in_four_ways)
   }
 }
 
-// --- Enclosures -----------------------------------------------------------------------------------
+// --- Enclosures ----------------------------------------------------------------------------------
 
 bool contains(const Interval& x, const Q& value)
 {
@@ -583,7 +583,7 @@ TEST(Enclosures, cast_encloses)
   }
 }
 
-// --- Values in floating point and Euler's formula -------------------------------------------------
+// --- Values in floating point and Euler's formula ------------------------------------------------
 
 TEST(Values, directions_are_orthonormal_and_right_handed)
 {
@@ -650,7 +650,8 @@ TEST(Values, principal_curvatures_of_two_points)
   for (int i = 0; i < 200; ++i)
   {
     const Shape s = random_shape(random), t = random_shape(random);
-    const auto k = principal_curvatures(s.cast<double>()), l = principal_curvatures(t.cast<double>());
+    const auto k = principal_curvatures(s.cast<double>());
+    const auto l = principal_curvatures(t.cast<double>());
     for (int a = 0; a < 2; ++a)
       for (int b = 0; b < 2; ++b)
       {
@@ -664,7 +665,7 @@ TEST(Values, principal_curvatures_of_two_points)
   EXPECT_GT(compared, 700);
 }
 
-// --- The waist in the plane -----------------------------------------------------------------------
+// --- The waist in the plane ----------------------------------------------------------------------
 
 TEST(Local_shape_2, circle_and_its_reverse)
 {

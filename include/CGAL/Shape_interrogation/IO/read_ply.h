@@ -54,6 +54,8 @@ inline Ply_table read_ply_table(Ply_input& in, const Ply_element& element)
       table.types.push_back(property.type);
     }
   table.columns.resize(table.names.size());
+  if (element.properties.empty() && element.count > 0)
+    throw Ply_error("the element '" + element.name + "' has no properties");
   for (std::size_t row = 0; row < element.count; ++row)
   {
     std::size_t column = 0;
@@ -105,7 +107,8 @@ std::size_t add_property(Mesh& mesh, const Ply_table& table, std::size_t first,
   };
   std::string name = table.names[i];
   const std::string stem = name.size() > 2 ? name.substr(0, name.size() - 2) : name;
-  const bool real = table.types[i] == Ply_type::DOUBLE || table.types[i] == Ply_type::FLOAT;
+  const bool real = table.types[i] == Ply_type::DOUBLE || table.types[i] == Ply_type::FLOAT ||
+                    table.types[i] == Ply_type::UINT32; // does not fit an int
   if (table.types[i] == Ply_type::UINT8 && starts_property(table, i, "color", 3))
     return fill_property<Index, Color>(mesh, prefix + "color", range, color), 3;
   if (real && starts_property(table, i, "normal", 3))
@@ -146,6 +149,9 @@ template <class Mesh>
 void add_faces(Mesh& mesh, const Ply_table& table)
 {
   const double size = double(mesh.number_of_vertices());
+  const std::size_t rows = table.columns.empty() ? table.lists.size() : table.columns[0].size();
+  if (table.lists.size() != rows)
+    throw Ply_error("the element 'face' must have exactly one list of corners");
   for (std::size_t row = 0; row < table.lists.size(); ++row)
   {
     std::vector<typename Mesh::Vertex_index> corners;

@@ -135,7 +135,8 @@ private:
       return;
     }
     if (b.t - a.t < 2)
-      refuse_mesh(Refusal_code::LIMIT_EXCEEDED, "an edge of a patch cannot be divided finely enough");
+      refuse_mesh(Refusal_code::LIMIT_EXCEEDED,
+                  "an edge of a patch cannot be divided finely enough");
     if (m_store.size() >= m_settings.max_vertices)
       refuse_mesh(Refusal_code::LIMIT_EXCEEDED, "the mesh needs more vertices than are allowed");
     const std::int32_t t = a.t + (b.t - a.t) / 2;
@@ -158,8 +159,8 @@ private:
         dot(b.tangent, b.tangent) > 0 && dot(a.tangent, b.tangent) < m_settings.min_cosine)
       return false;
     const double s = parameter_value(a.t), t = parameter_value(b.t);
-    const double low = (std::max)(0.0, s - 0.26 * std::abs(a.shift));
-    const double high = (std::min)(1.0, t + 0.26 * std::abs(a.shift));
+    const double low = (std::max)(0.0, step_down(s - 0.26 * std::abs(a.shift)));
+    const double high = (std::min)(1.0, step_up(t + 0.26 * std::abs(a.shift)));
     const Interval_nt<false>::Protector protector;
     Interval_net net = m_net;
     net.restrict_to(low, high, 0, 1);
@@ -175,7 +176,8 @@ private:
     Interval_net net = m_net;
     net.restrict_to(s, t, 0, 1);
     const double shift = (t - s) * Split_derivatives(enclosed_derivatives(net)).best_shift(0, 1, 1);
-    return std::clamp(shift, -(s + t), 2 - s - t);
+    // It must shrink with the edge, also beside a point where the curve is stationary.
+    return std::clamp(std::clamp(shift, s - t, t - s), -(s + t), 2 - s - t);
   }
 
   const Patch_mesh_settings& m_settings;

@@ -18,6 +18,7 @@
 #include <CGAL/Interval_nt.h>
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 namespace CGAL {
@@ -27,6 +28,10 @@ namespace internal {
 // Callers hold Interval_nt<false>::Protector.
 using Mesh_interval = Interval_nt<false>;
 using Interval_vector = std::array<Mesh_interval, 3>;
+
+// The next doubles, which make up for one rounding outside the protected region.
+inline double step_down(double x) { return std::nextafter(x, -HUGE_VAL); }
+inline double step_up(double x) { return std::nextafter(x, HUGE_VAL); }
 
 // The derivatives with respect to parameters that run from 0 to 1 in the box.
 struct Derivative_box
@@ -120,7 +125,8 @@ inline std::array<Mesh_interval, 4> derivative_hull(const Interval_net& net, int
   const int m = net.degree_u(), n = net.degree_v();
   const int factor = (du > 0 ? m : 1) * (du > 1 ? m - 1 : 1) * (dv > 0 ? n : 1) *
                      (dv > 1 ? n - 1 : 1);
-  std::array<Mesh_interval, 4> all{};
+  std::array<Mesh_interval, 4> all;
+  all.fill(Mesh_interval(0)); // also where there are no coefficients: intervals start undefined
   for (int k = 0; k < (net.is_rational() ? 4 : 3); ++k)
   {
     for (int i = 0; i <= m - du; ++i)

@@ -85,8 +85,14 @@ private:
   {
     double side = 0;
     const double largest = largest_coordinate(patches, side);
-    if (!(side > 0 && largest <= (std::numeric_limits<double>::max)()))
-      refuse_mesh(Refusal_code::LIMIT_EXCEEDED, "the patches are empty, or larger than a double");
+    if (patches.empty())
+      refuse_mesh(Refusal_code::LIMIT_EXCEEDED, "there is no patch to mesh");
+    if (side == 0)
+      refuse_mesh(Refusal_code::IRREGULAR_PARAMETRISATION, "the patches are a single point");
+    // Squares of lengths must neither overflow nor vanish.
+    if (!(largest <= 1e150 && side >= 1e-140))
+      refuse_mesh(Refusal_code::LIMIT_EXCEEDED,
+                  "the patches are too large or too small for floating point: scale the model");
     const double tolerance = options.tolerance > 0 ? options.tolerance : side / 1000;
     if (!(tolerance >= std::ldexp(largest, -42)))
       refuse_mesh(Refusal_code::LIMIT_EXCEEDED,

@@ -11,9 +11,8 @@
 
 // Adaptive triangulation of one patch: which edges must be divided. Edges on the boundary are
 // divided where their curve is; triangles that are not proved to be near the patch get their worst
-// edges marked. It ends: the bound of a triangle goes to at most half the target when its free
-// edges are divided, and an edge that cannot be divided any more, or one vertex too many, is a
-// refusal.
+// edges marked. The bound of a triangle goes to at most half the target when its free edges are
+// divided; an edge that cannot be divided any more, or one vertex too many, is a refusal.
 
 #include <CGAL/Shape_interrogation/Meshing/internal/flip_edges.h>
 
@@ -35,8 +34,8 @@ public:
   Patch_triangulation(const Bezier_surface_3<Exact_rational>& patch, int index,
                       const std::array<Patch_side, 4>& sides, const Patch_mesh_settings& settings,
                       Vertex_store& store)
-    : m_settings(settings), m_net(make_net(patch)), m_vertices(patch, index, sides, settings, store),
-      m_triangles(m_vertices)
+    : m_settings(settings), m_net(make_net(patch)),
+      m_vertices(patch, index, sides, settings, store), m_triangles(m_vertices)
   {}
   Patch_triangulation(const Patch_triangulation&) = delete;
 
@@ -171,8 +170,8 @@ private:
       const auto [least, most] = std::minmax({corners[0][d], corners[1][d], corners[2][d]});
       const double shift = (std::max)({std::abs(shifts[0][d]), std::abs(shifts[1][d]),
                                        std::abs(shifts[2][d])});
-      low[d] = (std::max)(0.0, least - 0.34 * shift);
-      high[d] = (std::min)(1.0, most + 0.34 * shift);
+      low[d] = (std::max)(0.0, step_down(least - 0.34 * shift));
+      high[d] = (std::min)(1.0, step_up(most + 0.34 * shift));
     }
     const Interval_nt<false>::Protector protector;
     std::array<Interval_pair, 3> corners_in_box, shifts_in_box;

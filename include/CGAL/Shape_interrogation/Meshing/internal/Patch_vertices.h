@@ -36,7 +36,7 @@ public:
     int pole;                       // the side that is this vertex, or -1
     std::size_t global;             // the vertex of the mesh
     Double_point normal;            // of length 1, or 0 where it is not known
-    double spacing;                 // length of the longest boundary edge here, or 0
+    double spacing;                 // bends are not looked for on edges shorter than this
   };
   using Edge = std::array<int, 2>;
   enum class Edge_kind
@@ -99,7 +99,13 @@ public:
                     "the triangles cannot be made small enough in " + place(end(edge, 0)));
       uv[d] = sum / 2;
     }
-    return add(uv);
+    // From the boundary inward the spacing halves with each division.
+    const int middle = add(uv);
+    Vertex& vertex = m_vertices[middle];
+    if (vertex.sides == 0)
+      vertex.spacing =
+        (std::max)(m_vertices[edge[0]].spacing, m_vertices[edge[1]].spacing) / 2;
+    return middle;
   }
 
   Edge_kind kind(const Edge& edge) const
@@ -156,8 +162,14 @@ public:
       m.shift[1 - along] = 0;
     }
     else
+    {
+      // Beside a fold the shift is the solution of singular equations: it must shrink with the edge,
+      // or the box around the shifted points never does.
+      const double most = (std::max)(std::abs(q[0] - p[0]), std::abs(q[1] - p[1]));
       for (int d = 0; d < 2; ++d)
-        m.shift[d] = std::clamp(m.shift[d], -(p[d] + q[d]), 2 - (p[d] + q[d]));
+        m.shift[d] = std::clamp(std::clamp(m.shift[d], -most, most), -(p[d] + q[d]),
+                                2 - (p[d] + q[d]));
+    }
     return m;
   }
 
