@@ -55,8 +55,9 @@ inline const std::vector<Patch>& teapot()
   return patches;
 }
 
-// An eighth of the unit sphere, turned by quarters around the z axis and perhaps mirrored in the plane
-// z = 0. The edge u = 1 is collapsed to the pole. S_u x S_v points inward, outward if mirrored.
+// An eighth of the unit sphere, turned by quarters around the z axis and perhaps mirrored in the
+// plane z = 0. The edge u = 1 is collapsed to the pole. S_u x S_v points inward, outward if
+// mirrored.
 inline Patch sphere_octant(int quarters, bool is_mirrored)
 {
   const int circle[3][2] = {{1, 0}, {1, 1}, {0, 1}}, weight[3] = {1, 1, 2};

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 
-// Mesh files: what is written is read back to the bit, other programs' rules are kept, and what cannot
-// be written or read is told in a sentence.
+// Mesh files: what is written is read back to the bit, other programs' rules are kept, and what
+// cannot be written or read is told in a sentence.
 
 #include "meshed_patches.h"
 
@@ -251,7 +251,8 @@ TEST_F(Mesh_file, Vtp_has_the_same_numbers_in_both_encodings)
   ASSERT_TRUE(write_vtp(binary, small_mesh(), Number_encoding::BINARY));
   ASSERT_TRUE(write_vtp(text, small_mesh(), Number_encoding::TEXT));
   const std::map<std::string, std::size_t> arrays{
-    {"normal", 3}, {"gaussian_curvature", 1}, {"direction_min", 3}, {"parameter", 2}, {"Points", 3}};
+    {"normal", 3}, {"gaussian_curvature", 1}, {"direction_min", 3}, {"parameter", 2},
+    {"Points", 3}};
   for (const auto& array : arrays)
   {
     const std::string bytes = from_base64(data_array(binary.str(), array.first));

@@ -105,9 +105,10 @@ have_common_asymptotic_direction(const Quadratic_form_2<NT>& a, const Quadratic_
 /*!
  * \ingroup PkgShapeInterrogationAnalysis
  * \brief tells whether two forms that agree on the tangent `t` of a curve have a common asymptotic
- * direction, real or complex, that is not parallel to `t`. By the complex corollary the forms are
- * then equal. Needs a ring only.
+ * direction, real or complex, that is not parallel to `t`. Needs a ring only.
  *
+ * If the forms also agree as polar forms, `a(t, s) = b(t, s)` for all `s`, as along a common curve
+ * of two surfaces that are tangent along it, they are then equal: the complex corollary.
  * A common asymptotic direction that is parallel to `t` proves nothing: two cylinders touching
  * along a generatrix share theirs (the criterion as printed in 2.6 is not sufficient).
  * \pre `a(t) = b(t)`, and `t` is not zero

@@ -72,8 +72,7 @@ public:
   {
     Jet x(value);
     internal::static_for<size>([&](auto k) __attribute__((always_inline)) {
-      if (k == 1 + i)
-        x.m_c[k] = NT(1);
+      if (k == 1 + i) x.m_c[k] = NT(1);
     });
     x.m_mask |= 2ull << i;
     return x;
@@ -112,13 +111,13 @@ public:
   NT coefficient(int index) const { return has(index) ? m_c[index] : NT(0); }
 
   //! returns the Taylor coefficient of the monomial with the given exponents.
-  NT coefficient(const std::array<int, N>& exponents) const
-  {
-    return coefficient(Monomials::index_of(exponents));
-  }
+  NT coefficient(const std::array<int, N>& e) const { return coefficient(Monomials::index_of(e)); }
 
   //! tells whether the coefficient is zero by structure, without looking at its value.
   bool is_structurally_zero(int index) const { return !has(index); }
+
+  //! tells whether all derivatives are zero by structure.
+  bool is_constant() const { return m_mask <= 1u; }
 
 #ifndef DOXYGEN_RUNNING
   friend Jet operator+(const Jet& a) { return a; }
@@ -160,7 +159,7 @@ public:
   friend Jet operator/(const NT& s, const Jet& b) { return b.reciprocal() * s; }
   friend Jet operator/(const Jet& a, const Jet& b)
   {
-    if (b.m_mask <= 1u)
+    if (b.is_constant())
       return a / b.value();
     return a * b.reciprocal();
   }
@@ -246,17 +245,11 @@ private:
       Jet r;
       r.m_mask = a.m_mask | b.m_mask;
       internal::static_for<size>([&](auto k) __attribute__((always_inline)) {
-        if (!b.has(k)) {
-          if (a.has(k)) r.m_c[k] = a.m_c[k];
-        }
-        else if constexpr (subtract) {
-          if (a.has(k)) r.m_c[k] = a.m_c[k] - b.m_c[k];
-          else r.m_c[k] = -b.m_c[k];
-        }
-        else {
-          if (a.has(k)) r.m_c[k] = a.m_c[k] + b.m_c[k];
-          else r.m_c[k] = b.m_c[k];
-        }
+        const bool in_a = a.has(k), in_b = b.has(k);
+        if (in_a && in_b)
+          r.m_c[k] = subtract ? NT(a.m_c[k] - b.m_c[k]) : NT(a.m_c[k] + b.m_c[k]);
+        else if (in_a) r.m_c[k] = a.m_c[k];
+        else if (in_b) r.m_c[k] = subtract ? NT(-b.m_c[k]) : b.m_c[k];
       });
       return r;
     }
@@ -270,8 +263,8 @@ private:
       Jet r;
       internal::static_for<Monomials::number_of_products>([&](auto p)
                                                             __attribute__((always_inline)) {
-        constexpr auto product = Monomials::products[p];
-        constexpr int i = product.left, j = product.right, k = product.result;
+        constexpr auto t = Monomials::products[p];
+        constexpr int i = t.left, j = t.right, k = t.result;
         if (!a.has(i) || !b.has(j))
           return;
         if (r.has(k)) r.m_c[k] += a.m_c[i] * b.m_c[j];

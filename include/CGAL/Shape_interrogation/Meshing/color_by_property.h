@@ -9,8 +9,8 @@
 #ifndef CGAL_SHAPE_INTERROGATION_MESHING_COLOR_BY_PROPERTY_H
 #define CGAL_SHAPE_INTERROGATION_MESHING_COLOR_BY_PROPERTY_H
 
-// Colours of vertices for a signed property such as a curvature: blue for negative, white for zero, red
-// for positive values.
+// Colours of vertices for a signed property such as a curvature: blue for negative, white for zero,
+// red for positive values.
 
 #include <CGAL/Shape_interrogation/Meshing/Shape_mesh.h>
 
@@ -61,9 +61,9 @@ inline CGAL::IO::Color diverging_color(double x)
  * \brief gives the vertices of a mesh colours for one of their properties, as the property map
  * `"v:color"` that `write_mesh()` puts into the formats .ply and .vtp.
  *
- * \details Zero is white, negative values are blue and positive ones red. The full colours stand for
- * the absolute value that is exceeded only on the given part of the area, so that a few sharp places
- * do not leave the rest pale. Vertices whose property `"v:regular"` is `false` are grey.
+ * \details Zero is white, negative values are blue and positive ones red. The full colours stand
+ * for the absolute value that is exceeded only on the given part of the area, so that a few sharp
+ * places do not leave the rest pale. Vertices whose property `"v:regular"` is `false` are grey.
  *
  * \param mesh the mesh
  * \param name the name of a property map with values `double`, such as `"v:mean_curvature"`

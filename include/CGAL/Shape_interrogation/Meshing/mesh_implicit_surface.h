@@ -32,14 +32,14 @@ namespace Shape_interrogation {
  *
  * \details The surface is looked for on a grid over the box, refined by \cgal's surface mesher, and
  * its vertices are moved onto the surface by Newton steps. At the faces of the box it is cut:
- * vertices of the cut lie on the surface and on the face. Triangles are oriented along the gradient,
- * so that a closed surface around negative values has outward normals.
+ * vertices of the cut lie on the surface and on the face. Triangles are oriented along the
+ * gradient, so that a closed surface around negative values has outward normals.
  *
  * <b>What is certified.</b> The distances in the report are upper bounds, found with interval
- * arithmetic, where the report says so; else, near singular points for example, they are the largest
- * that were seen at sample points. They may exceed the tolerance; the report says by how much. The
- * topology is not certified: components and holes that are smaller than a cell of the grid or than
- * the edges can be missed.
+ * arithmetic, where the report says so; else, near singular points for example, they are the
+ * largest that were seen at sample points. They may exceed the tolerance; the report says by how
+ * much. The topology is not certified: components and holes that are smaller than a cell of the
+ * grid or than the edges can be missed.
  *
  * The vertex properties are those of `Shape_property_maps`, for the level set of the function
  * through the vertex, which is as near to the surface as doubles allow. Vertices at singular points
@@ -53,8 +53,8 @@ namespace Shape_interrogation {
  * \param options how fine the mesh must be
  * \param progress the progress callback
  *
- * \return the mesh with its report; or a refusal: `NOT_ON_SURFACE` when the function has one sign on
- * the whole grid, `OUTSIDE_DOMAIN` for an empty box or where the function does not exist,
+ * \return the mesh with its report; or a refusal: `NOT_ON_SURFACE` when the function has one sign
+ * on the whole grid, `OUTSIDE_DOMAIN` for an empty box or where the function does not exist,
  * `LIMIT_EXCEEDED` when more vertices are needed than allowed, the function overflows or the mesher
  * fails, `CANCELLED`
  */

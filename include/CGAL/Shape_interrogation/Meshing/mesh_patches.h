@@ -9,8 +9,8 @@
 #ifndef CGAL_SHAPE_INTERROGATION_MESHING_MESH_PATCHES_H
 #define CGAL_SHAPE_INTERROGATION_MESHING_MESH_PATCHES_H
 
-// Adaptive triangulation of Bezier patches with a certified distance, and with identical vertices on
-// the edges that patches have in common.
+// Adaptive triangulation of Bezier patches with a certified distance, and with identical vertices
+// on the edges that patches have in common.
 
 #include <CGAL/Shape_interrogation/Meshing/Patch_mesh_options.h>
 #include <CGAL/Shape_interrogation/Meshing/Shape_mesh.h>

@@ -34,6 +34,15 @@ template <class To, class T>
 struct Has_cast<To, T, std::void_t<decltype(std::declval<const T&>().template cast<To>())>>
   : std::true_type {};
 
+template <class T, class = void>
+struct Has_own_numbers : std::false_type {};
+template <class T>
+struct Has_own_numbers<T, std::void_t<typename T::R>> : std::true_type {}; // kernel objects
+template <class T, class = void>
+struct Has_field_type : std::false_type {};
+template <class T>
+struct Has_field_type<T, std::void_t<typename T::FT>> : std::true_type {};
+
 // Whether the data of an argument are doubles (or it has none of its own).
 template <class T, class = void>
 struct Has_double_data : std::bool_constant<!is_number<T> || std::is_arithmetic_v<T>> {};
@@ -45,6 +54,13 @@ template <class T>
 struct Has_double_data<T, std::void_t<typename T::FT>> : Has_double_data<typename T::FT> {};
 
 } // namespace internal
+
+#ifndef DOXYGEN_RUNNING
+template <class To, class T, std::size_t n>
+auto cast_argument(const std::array<T, n>& x);
+template <class To, class T>
+auto cast_argument(const std::vector<T>& x);
+#endif
 
 /*!
  * \ingroup PkgShapeInterrogationNumberTypes
@@ -62,7 +78,12 @@ decltype(auto) cast_argument(const T& x)
   else if constexpr (internal::Has_cast<To, T>::value)
     return x.template cast<To>();
   else
+  {
+    static_assert(!internal::Has_own_numbers<T>::value && !internal::Has_field_type<T>::value,
+                  "an argument with numbers of its own needs a member cast<To>(): pass the"
+                  " coordinates of kernel objects");
     return static_cast<const T&>(x);
+  }
 }
 
 /*!

@@ -139,6 +139,17 @@ struct Number_cast<CGAL::Exact_rational, double>
   }
 };
 
+template <>
+struct Number_cast<CORE::Expr, double>
+{
+  static CORE::Expr cast(double x)
+  {
+    if (!std::isfinite(x))
+      throw Conversion_error("a number is not finite: coordinates and coefficients must be");
+    return CORE::Expr(x);
+  }
+};
+
 // The exact real reads a rational through its decimal text: its own constructors know no GMP types.
 template <>
 struct Number_cast<CORE::Expr, CGAL::Exact_rational>

@@ -42,6 +42,8 @@ namespace Shape_interrogation {
  *
  * An evaluator is not thread-safe; use one in each thread. It keeps a reference to the system.
  *
+ * An orienting direction that is orthogonal to the normal is refused (`AMBIGUOUS`).
+ *
  * \tparam NT a field number type
  *
  * Complexity: linear in the length of the equations plus the sparse elimination, for which the
@@ -227,26 +229,37 @@ private:
     }
   }
 
-  // Components that an enclosure cannot tell from zero are passed over.
-  Local_shape_3<NT> oriented(const Local_shape_3<NT>& s)
+  // An orientation that is undecided makes every odd sign undecided.
+  Result<Local_shape_3<NT>> oriented(const Local_shape_3<NT>& s)
   {
-    m_flipped = false;
     const Vector& n = s.normal();
+    CGAL::Sign sign = CGAL::ZERO;
     if (m_system.orientation())
     {
       Vector d;
       for (int i = 0; i < 3; ++i)
         d[i] = number_cast<NT>((*m_system.orientation())[i]);
-      m_flipped = CGAL::certainly(sign_decision(internal::dot(n, d)) == CGAL::NEGATIVE);
+      if (auto refusal = orientation_sign(NT(internal::dot(n, d)), sign))
+        return *refusal;
+      if (sign == CGAL::ZERO)
+        return Refusal(Refusal_code::AMBIGUOUS,
+                       "the direction that orients the normal is orthogonal to it");
     }
-    else
-      for (int i = 0; i < 3; ++i)
-        if (!CGAL::possibly(is_zero_decision(n[i])))
-        {
-          m_flipped = CGAL::certainly(sign_decision(n[i]) == CGAL::NEGATIVE);
-          break;
-        }
+    for (int i = 0; i < 3 && sign == CGAL::ZERO; ++i)
+      if (auto refusal = orientation_sign(n[i], sign))
+        return *refusal;
+    m_flipped = sign == CGAL::NEGATIVE;
     return m_flipped ? s.opposite() : s;
+  }
+
+  static std::optional<Refusal> orientation_sign(const NT& x, CGAL::Sign& sign)
+  {
+    const auto decision = sign_decision(x);
+    if (!CGAL::is_certain(decision))
+      return Refusal(Refusal_code::UNDECIDED,
+                     "the orientation of the normal is undecided: " + internal::text_of(x));
+    sign = CGAL::make_certain(decision);
+    return std::nullopt;
   }
 
   const N_space_system& m_system;

@@ -17,6 +17,7 @@
 
 #include <CGAL/Interval_nt.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -54,7 +55,7 @@ Result<Projected_point_3> project_to_surface(const Implicit_surface_3<Function>&
   return internal::refuse_errors<Projected_point_3>([&]() -> Result<Projected_point_3> {
     Projected_point_3 r;
     r.point = p;
-    double previous = HUGE_VAL;
+    double previous = HUGE_VAL; // |f| one step before
     for (r.iterations = 0; r.iterations < max_iterations; ++r.iterations)
     {
       const Jet<double, 3, 1> f = surface.template jet<1>(r.point);
@@ -70,10 +71,14 @@ Result<Projected_point_3> project_to_surface(const Implicit_surface_3<Function>&
         return Refusal(Refusal_code::SINGULAR_POINT, "the gradient vanishes on the way");
       }
       r.step = std::fabs(r.residual) / std::sqrt(q);
-      // Newton has settled when the steps stop shrinking: the rest is rounding.
-      if (r.residual == 0 || (previous < HUGE_VAL && r.step >= previous / 2 && previous < 1e-6))
+      // Newton has settled when the step is a rounding of the point, or when nothing is gained any
+      // more near the surface: the rest is the rounding of f.
+      const double size =
+        (std::max)({std::fabs(r.point[0]), std::fabs(r.point[1]), std::fabs(r.point[2])});
+      if (r.step <= std::ldexp(size, -52) ||
+          (std::fabs(r.residual) >= previous && r.step <= std::ldexp(size, -26)))
         return r;
-      previous = r.step;
+      previous = std::fabs(r.residual);
       for (int i = 0; i < 3; ++i)
         r.point[i] -= r.residual / q * g[i];
     }

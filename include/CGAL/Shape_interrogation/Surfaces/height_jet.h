@@ -18,6 +18,8 @@
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>
 
 #include <array>
+#include <cmath>
+#include <type_traits>
 
 namespace CGAL {
 namespace Shape_interrogation {
@@ -50,6 +52,9 @@ template <class NT>
 Coordinates<NT, 3> any_tangent(const Coordinates<NT, 3>& n)
 {
   const NT zero(0);
+  if constexpr (std::is_floating_point_v<NT>)
+    if (std::fabs(n[0]) < std::fabs(n[2]) && std::fabs(n[1]) < std::fabs(n[2]))
+      return {n[2], zero, NT(-n[0])}; // tiny components are not squared
   if (!CGAL::possibly(is_zero_decision(n[0])) || !CGAL::possibly(is_zero_decision(n[1])))
     return {NT(-n[1]), n[0], zero};
   return {n[2], zero, NT(-n[0])};

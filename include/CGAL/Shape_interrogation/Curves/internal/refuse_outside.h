@@ -23,6 +23,9 @@ namespace internal {
 template <class NT>
 std::optional<Refusal> refuse_outside(const char* name, const NT& t, const NT& low, const NT& high)
 {
+  if (!Number_type_traits<NT>::is_finite(t))
+    return Refusal(Refusal_code::OUTSIDE_DOMAIN,
+                   std::string("the parameter ") + name + " is not a finite number");
   const auto below = sign_decision(NT(t - low)) == CGAL::NEGATIVE;
   const auto above = sign_decision(NT(high - t)) == CGAL::NEGATIVE;
   if (CGAL::certainly(!below) && CGAL::certainly(!above))

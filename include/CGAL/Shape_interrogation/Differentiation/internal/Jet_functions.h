@@ -37,13 +37,10 @@ struct Elementary_functions<Jet<NT, N, Order>>
   static J sqrt(const J& x)
   {
     const NT x0 = x.value();
-    if (CGAL::certainly(is_zero_decision(x0)))
-    {
-      for (int k = 1; k < J::size; ++k)
-        if (!x.is_structurally_zero(k))
-          throw Domain_error("sqrt is not differentiable at zero");
+    if (x.is_constant())
       return J(Base::sqrt(x0));
-    }
+    if (CGAL::certainly(is_zero_decision(x0)))
+      throw Domain_error("sqrt is not differentiable at zero");
     Series t;
     t[0] = Base::sqrt(x0);
     for (int k = 1; k <= Order; ++k) // t_k = t_{k-1} (3 - 2k) / (2k x0)
@@ -73,8 +70,17 @@ struct Elementary_functions<Jet<NT, N, Order>>
   static J sin(const J& x) { return periodic(x, Base::sin(x.value()), Base::cos(x.value())); }
   static J cos(const J& x) { return periodic(x, Base::cos(x.value()), -Base::sin(x.value())); }
   static J tan(const J& x) { return sin(x) / cos(x); }
-  static J asin(const J& x) { return integrate(x, Base::asin(x.value()), arc_slope(x)); }
-  static J acos(const J& x) { return integrate(x, Base::acos(x.value()), -arc_slope(x)); }
+  // At the ends of the interval the functions have values but no derivatives.
+  static J asin(const J& x)
+  {
+    const NT value = Base::asin(x.value());
+    return x.is_constant() ? J(value) : integrate(x, value, arc_slope(x));
+  }
+  static J acos(const J& x)
+  {
+    const NT value = Base::acos(x.value());
+    return x.is_constant() ? J(value) : integrate(x, value, -arc_slope(x));
+  }
   static J atan(const J& x)
   {
     const Univariate u = Univariate::variable(0, x.value());
@@ -139,6 +145,15 @@ template <class NT, int N, int O>
 Jet<NT, N, O> atan(const Jet<NT, N, O>& x) { return Elementary_functions<Jet<NT, N, O>>::atan(x); }
 template <class NT, int N, int O>
 Jet<NT, N, O> square(const Jet<NT, N, O>& x) { return x * x; }
+template <class NT, int N, int O>
+Jet<NT, N, O> pow(const Jet<NT, N, O>& x, int n)
+{
+  Jet<NT, N, O> power(NT(1)), square = x;
+  for (unsigned k = n < 0 ? 0u - static_cast<unsigned>(n) : n; k != 0; k /= 2, square *= square)
+    if (k % 2 != 0)
+      power *= square;
+  return n < 0 ? power.reciprocal() : power;
+}
 
 // A jet decides like its value; only structural questions are asked of it.
 template <class NT, int N, int Order>
@@ -151,6 +166,10 @@ struct Number_type_traits<Jet<NT, N, Order>>
   static constexpr bool is_light = Number_type_traits<NT>::is_light;
   static Sign sign(const Jet<NT, N, Order>& x) { return sign_decision(x.value()); }
   static Boolean is_zero(const Jet<NT, N, Order>& x) { return is_zero_decision(x.value()); }
+  static bool is_finite(const Jet<NT, N, Order>& x)
+  {
+    return Number_type_traits<NT>::is_finite(x.value());
+  }
 };
 
 template <class NT, int N, int Order, class From>

@@ -9,8 +9,8 @@
 #ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_CHECKED_FUNCTION_H
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_CHECKED_FUNCTION_H
 
-// A function of three variables for meshers that know no refusals: it throws when the value is not a
-// number, and when the caller wants to stop.
+// A function of three variables for meshers that know no refusals: it throws when the value is not
+// a number, and when the caller wants to stop.
 
 #include <CGAL/Shape_interrogation/Meshing/internal/Mesh_refused.h>
 #include <CGAL/Shape_interrogation/Waist/Symmetric_matrix_3.h>

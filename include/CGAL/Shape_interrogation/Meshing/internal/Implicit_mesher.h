@@ -9,8 +9,8 @@
 #ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_IMPLICIT_MESHER_H
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_IMPLICIT_MESHER_H
 
-// The mesher of implicit surfaces from its parts: seeds, CGAL's refinement, projection, clipping, the
-// mesh and its properties.
+// The mesher of implicit surfaces from its parts: seeds, CGAL's refinement, projection, clipping,
+// the mesh and its properties.
 
 #include <CGAL/Shape_interrogation/Meshing/Implicit_mesh_options.h>
 #include <CGAL/Shape_interrogation/Meshing/Shape_mesh.h>

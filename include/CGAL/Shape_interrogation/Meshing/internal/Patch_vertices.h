@@ -125,8 +125,8 @@ public:
   }
 
   // Whether the edge, or the angle of the normals at its ends, is too large. The angle counts on
-  // edges that are longer than the fixed ones on the boundary beside them: else triangles might come
-  // ever nearer to the boundary without getting better.
+  // edges that are longer than the fixed ones on the boundary beside them: else triangles might
+  // come ever nearer to the boundary without getting better.
   bool is_too_long_or_bent(const Edge& edge) const
   {
     const Vertex &a = m_vertices[edge[0]], &b = m_vertices[edge[1]];
@@ -141,7 +141,7 @@ public:
   // What is measured of an edge on the patch.
   struct Measures
   {
-    double length;               // by the metric in the middle: what a chord of a coarse mesh is not
+    double length;               // by the metric in the middle, not of the chord
     std::array<double, 2> shift; // how points slide along the patch (see triangle_bound.h)
   };
 
@@ -163,8 +163,8 @@ public:
     }
     else
     {
-      // Beside a fold the shift is the solution of singular equations: it must shrink with the edge,
-      // or the box around the shifted points never does.
+      // Beside a fold the shift is the solution of singular equations: it must shrink with the
+      // edge, or the box around the shifted points never does.
       const double most = (std::max)(std::abs(q[0] - p[0]), std::abs(q[1] - p[1]));
       for (int d = 0; d < 2; ++d)
         m.shift[d] = std::clamp(std::clamp(m.shift[d], -most, most), -(p[d] + q[d]),
@@ -220,8 +220,8 @@ private:
     return d ? unit_vector(cross(d->u, d->v)) : Double_point{0, 0, 0};
   }
 
-  // As if the patch had no boundary. The shift c is the vector for which S_u c_u + S_v c_v is nearest
-  // to half the second derivative along (du, dv).
+  // As if the patch had no boundary. The shift c is the vector for which S_u c_u + S_v c_v is
+  // nearest to half the second derivative along (du, dv).
   Measures free_measures(const std::array<double, 2>& uv, double du, double dv) const
   {
     const auto d = m_double_patch.derivatives(uv);

@@ -11,8 +11,8 @@
 
 // The vertex properties from the waist, with an error well below 1e-12 relative to the curvatures:
 // intervals first, exact numbers where those are too wide. The gap of the principal curvatures and
-// their directions come from the traceless part of the shape operator in an orthonormal frame of the
-// tangent plane, which loses no digits near umbilics.
+// their directions come from the traceless part of the shape operator in an orthonormal frame of
+// the tangent plane, which loses no digits near umbilics.
 
 #include <CGAL/Shape_interrogation/Analysis/curvatures.h>
 #include <CGAL/Shape_interrogation/Analysis/umbilics.h>
@@ -74,8 +74,8 @@ inline std::array<Coordinates<double, 3>, 2> tangent_frame(const Coordinates<dou
   return {e1, cross(n, e1)};
 }
 
-// e1'M e1 - e2'M e2 and 2 e1'M e2: the length of this vector is the difference of the eigenvalues, and
-// half its angle leads from e1 to the direction of the larger one.
+// e1'M e1 - e2'M e2 and 2 e1'M e2: the length of this vector is the difference of the eigenvalues,
+// and half its angle leads from e1 to the direction of the larger one.
 template <class NT>
 std::array<NT, 2> traceless_part(const Symmetric_matrix_3<NT>& m,
                                  const std::array<Coordinates<double, 3>, 2>& frame)
@@ -168,8 +168,8 @@ inline Vertex_shape exact_shape(const Local_shape_3<Exact_rational>& s)
   return v;
 }
 
-// `enclose()` and `evaluate()` return the local shape in intervals and in exact numbers. Where there
-// are no exact numbers, the middle of the intervals is taken.
+// `enclose()` and `evaluate()` return the local shape in intervals and in exact numbers. Where
+// there are no exact numbers, the middle of the intervals is taken.
 template <class Enclose, class Evaluate>
 Result<Vertex_shape> vertex_shape(Enclose enclose, Evaluate evaluate)
 {

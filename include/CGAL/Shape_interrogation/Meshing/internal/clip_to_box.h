@@ -9,8 +9,8 @@
 #ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_CLIP_TO_BOX_H
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_CLIP_TO_BOX_H
 
-// Cuts a mesh of an implicit surface at the faces of a box. New vertices are on the surface and on the
-// face; vertices near a face are moved there, so that no slivers arise.
+// Cuts a mesh of an implicit surface at the faces of a box. New vertices are on the surface and on
+// the face; vertices near a face are moved there, so that no slivers arise.
 
 #include <CGAL/Shape_interrogation/Meshing/internal/implicit_seeds.h>
 

@@ -80,7 +80,8 @@ inline void add_limit_normal(Limit_normals& limits, std::size_t vertex,
 
 // Fills the properties of one vertex from the first of its places that is regular. Returns the
 // refusal of the first place if none is.
-inline std::optional<Refused_place> fill_vertex(Shape_property_maps& maps, Patch_property_maps& where,
+inline std::optional<Refused_place> fill_vertex(Shape_property_maps& maps,
+                                                Patch_property_maps& where,
                                                 Shape_property_maps::Vertex v,
                                                 const Shape_mesh::Point_3& point,
                                                 const std::vector<Patch_evaluator>& patches,

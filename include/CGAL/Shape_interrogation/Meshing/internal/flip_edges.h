@@ -98,7 +98,8 @@ private:
     const int bc = s.edges[(k + 1) % 3], ca = s.edges[(k + 2) % 3];
     const int ad = t.edges[(l + 1) % 3], db = t.edges[(l + 2) % 3];
     const double cd = m_vertices.measures({c, d}).length;
-    if ((std::max)(sharpness({length(ca), length(ad), cd}), sharpness({length(db), length(bc), cd})) >=
+    if ((std::max)(sharpness({length(ca), length(ad), cd}),
+                   sharpness({length(db), length(bc), cd})) >=
         (std::max)(sharpness({length(ca), length(bc), length(e)}),
                    sharpness({length(db), length(ad), length(e)})))
       return false;

@@ -9,9 +9,10 @@
 #ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_IMPLICIT_DISTANCE_H
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_IMPLICIT_DISTANCE_H
 
-// Bounds of the distance from a triangle to an implicit surface. On the triangle |f| <= F by the values
-// at the corners and the second derivatives; if f grows by at least D > 0 along a direction in a box
-// around the triangle that F / D does not leave, every point is within F / D of the surface.
+// Bounds of the distance from a triangle to an implicit surface. On the triangle |f| <= F by the
+// values at the corners and the second derivatives; if f grows by at least D > 0 along a direction
+// in a box around the triangle that F / D does not leave, every point is within F / D of the
+// surface.
 
 #include <CGAL/Shape_interrogation/Meshing/internal/triangle_bound.h>
 #include <CGAL/Shape_interrogation/Surfaces/Implicit_surface_3.h>
@@ -55,7 +56,11 @@ private:
   // Divides the triangle where the enclosures are too wide.
   std::optional<double> bound(const std::array<Point, 3>& t, int divisions) const
   {
-    const std::optional<double> whole = bound_at_once(t);
+    std::optional<double> whole = bound_at_once(t, m_reach);
+    // A smaller box gives a better bound, and that a smaller box.
+    for (int i = 0; whole && *whole > 0 && i < 3; ++i)
+      if (const std::optional<double> better = bound_at_once(t, *whole))
+        whole = (std::min)(*whole, *better);
     if (whole || divisions == 0)
       return whole;
     const Point p = middle(t[1], t[2]), q = middle(t[2], t[0]), r = middle(t[0], t[1]);
@@ -76,7 +81,7 @@ private:
     return {(a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2};
   }
 
-  std::optional<double> bound_at_once(const std::array<Point, 3>& t) const
+  std::optional<double> bound_at_once(const std::array<Point, 3>& t, double reach) const
   {
     const Point direction = gradient(middle(middle(t[0], t[1]), t[2]));
     const Interval_nt<false>::Protector protector;
@@ -85,7 +90,7 @@ private:
     {
       const auto [low, high] = std::minmax({t[0][d], t[1][d], t[2][d]});
       extent[d] = Mesh_interval(high) - Mesh_interval(low);
-      box[d] = Mesh_interval(low, high) + Mesh_interval(-m_reach, m_reach);
+      box[d] = Mesh_interval(low, high) + Mesh_interval(-reach, reach);
     }
     const Jet_2 f = m_surface.template jet<2>(box);
     Mesh_interval slope(0);
@@ -93,10 +98,11 @@ private:
       slope += f.derivative(d) * Mesh_interval(direction[d]);
     if (!(slope.inf() > 0))
       return std::nullopt;
-    const Mesh_interval norm = CGAL::sqrt(dot(interval_vector(direction), interval_vector(direction)));
+    const auto along = interval_vector(direction);
+    const Mesh_interval norm = CGAL::sqrt(dot(along, along));
     const double distance =
       (Mesh_interval(largest_value(f, t, extent)) * norm / Mesh_interval(slope.inf())).sup();
-    return distance <= m_reach ? std::optional<double>(distance) : std::nullopt;
+    return distance <= reach ? std::optional<double>(distance) : std::nullopt;
   }
 
   static Interval_vector interval_vector(const Point& p)

@@ -9,8 +9,8 @@
 #ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_IMPLICIT_SEEDS_H
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_IMPLICIT_SEEDS_H
 
-// Points on the components of an implicit surface that a grid over the box meets: a few spread points
-// of each connected set of cells in which the function changes its sign.
+// Points on the components of an implicit surface that a grid over the box meets: a few spread
+// points of each connected set of cells in which the function changes its sign.
 
 #include <CGAL/Shape_interrogation/Waist/Symmetric_matrix_3.h>
 

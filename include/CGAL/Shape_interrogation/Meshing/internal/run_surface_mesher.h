@@ -9,8 +9,8 @@
 #ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_RUN_SURFACE_MESHER_H
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_RUN_SURFACE_MESHER_H
 
-// CGAL's Delaunay refinement of an implicit surface in a ball, step by step so that it can be stopped.
-// The only file that includes that mesher: it takes long to compile.
+// CGAL's Delaunay refinement of an implicit surface in a ball, step by step so that it can be
+// stopped. The only file that includes that mesher: it takes long to compile.
 
 #include <CGAL/Shape_interrogation/Meshing/internal/Mesh_refused.h>
 #include <CGAL/Shape_interrogation/Waist/Symmetric_matrix_3.h>

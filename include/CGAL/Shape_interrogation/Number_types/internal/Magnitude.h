@@ -138,6 +138,12 @@ struct Number_type_traits<internal::Magnitude>
   static bool is_finite(const internal::Magnitude& x) { return std::isfinite(x.error()); }
 };
 
+template <>
+struct Number_cast<double, internal::Magnitude>
+{
+  static double cast(const internal::Magnitude& x) { return x.value(); }
+};
+
 // Only doubles enter: a rational would carry a rounding of its own, which the interval stage takes.
 template <class From>
 struct Number_cast<internal::Magnitude, From, std::enable_if_t<!std::is_arithmetic_v<From>>>

@@ -148,6 +148,9 @@ private:
     double largest = 0;
     for (const auto& entry : m_rows[i])
       largest = (std::max)(largest, pivot_quality(m_values[entry.second]));
+    // An enclosure takes whatever is certainly not zero; only floating point guesses what is noise.
+    if constexpr (Number_type_traits<NT>::is_enclosure)
+      return 0.1 * largest;
     return (std::max)(0.1 * largest, numerical_rank_tolerance * m_scale[i]);
   }
 
