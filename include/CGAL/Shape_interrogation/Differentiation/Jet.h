@@ -78,8 +78,7 @@ public:
     return x;
   }
 
-  //! returns the jet of `value + sum step[i] * t_i` in the `N` variables `t_i`: a point moving
-  //! along given directions.
+  //! returns the jet of `value + sum step[i] * t_i`: a point moving along given directions.
   static Jet along(const NT& value, const std::array<NT, N>& step)
   {
     Jet x(value);
@@ -106,8 +105,7 @@ public:
     return c;
   }
 
-  //! returns the Taylor coefficient with the given storage index: 1, the variables, the products
-  //! of two variables in lexicographic order, and so on.
+  //! returns the Taylor coefficient at a storage index: 1, the variables, products of two, ...
   NT coefficient(int index) const { return has(index) ? m_c[index] : NT(0); }
 
   //! returns the Taylor coefficient of the monomial with the given exponents.
@@ -159,9 +157,7 @@ public:
   friend Jet operator/(const NT& s, const Jet& b) { return b.reciprocal() * s; }
   friend Jet operator/(const Jet& a, const Jet& b)
   {
-    if (b.is_constant())
-      return a / b.value();
-    return a * b.reciprocal();
+    return b.is_constant() ? a / b.value() : a * b.reciprocal();
   }
   template <class I> using If_number =
     std::enable_if_t<std::is_arithmetic_v<I> && !std::is_same_v<I, NT>, Jet>;

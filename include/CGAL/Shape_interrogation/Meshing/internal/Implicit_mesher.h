@@ -87,12 +87,16 @@ private:
   {
     Surface_mesher_input input{{}, 0, (std::min)(m_options.min_angle, 30.0), m_edge_length / 2,
                                distance, m_options.max_vertices};
+    double squared_half_diagonal = 0;
     for (int d = 0; d < 3; ++d)
     {
       const double half = (m_box[d][1] - m_box[d][0]) / 2;
       input.center[d] = m_box[d][0] + half;
-      input.squared_radius += half * half * 1.01;
+      squared_half_diagonal += half * half;
     }
+    // The refinement ends about an edge before the boundary of its ball.
+    const double radius = std::sqrt(squared_half_diagonal) + 2 * m_edge_length;
+    input.squared_radius = radius * radius;
     Mesher_output output = run_surface_mesher(m_function, seeds, input);
     for (Point& p : output.points)
     {

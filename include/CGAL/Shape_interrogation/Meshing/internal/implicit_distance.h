@@ -122,9 +122,11 @@ private:
   {
     double at_corners = 0;
     for (const Point& p : t)
-      at_corners = (std::max)(at_corners, CGAL::abs(m_surface.function()(Mesh_interval(p[0]),
-                                                                         Mesh_interval(p[1]),
-                                                                         Mesh_interval(p[2]))).sup());
+    {
+      const Mesh_interval x(p[0]), y(p[1]), z(p[2]);
+      const Mesh_interval value = m_surface.function()(x, y, z);
+      at_corners = (std::max)(at_corners, CGAL::abs(value).sup());
+    }
     Symmetric_matrix_3<Mesh_interval> h;
     Mesh_interval spread(0);
     for (int i = 0; i < 3; ++i)
