@@ -38,6 +38,7 @@
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>
 #include <CGAL/Shape_interrogation/Waist/Symmetric_matrix_3.h>
 #include <CGAL/Shape_interrogation/Curves/Bezier_curve_2.h>
+#include <CGAL/Shape_interrogation/Curves/Curve_derivatives_2.h>
 #include <CGAL/Shape_interrogation/Curves/Implicit_curve_2.h>
 #include <CGAL/Shape_interrogation/Curves/Knot_vector.h>
 #include <CGAL/Shape_interrogation/Curves/Nurbs_curve_2.h>
@@ -52,6 +53,7 @@
 #include <CGAL/Shape_interrogation/Surfaces/Nurbs_surface_3.h>
 #include <CGAL/Shape_interrogation/Surfaces/Parametric_surface_3.h>
 #include <CGAL/Shape_interrogation/Surfaces/Patch_edge.h>
+#include <CGAL/Shape_interrogation/Surfaces/Surface_derivatives_3.h>
 #include <CGAL/Shape_interrogation/Surfaces/access.h>
 #include <CGAL/Shape_interrogation/Surfaces/height_jet.h>
 #include <CGAL/Shape_interrogation/Analysis/Dupin_indicatrix.h>

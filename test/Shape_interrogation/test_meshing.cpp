@@ -22,7 +22,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iostream>
 #include <map>
+#include <random>
 #include <set>
 #include <string>
 #include <vector>
@@ -248,6 +250,84 @@ TEST(Mesh_patches, Certified_distance_holds_at_samples_and_is_not_empty)
   }
   EXPECT_LE(largest, mesh.report.max_face_distance);
   EXPECT_GE(largest, 0.2 * mesh.report.max_face_distance);
+}
+
+TEST(Mesh_patches, No_point_of_a_patch_is_far_from_the_mesh)
+{
+  const Patch& patch = teapot()[20]; // with a collapsed edge
+  const Shape_mesh mesh = meshed({patch}, with_tolerance(0.02));
+  const Mesh& m = mesh.surface_mesh;
+  std::vector<Shape_mesh::Kernel::Triangle_3> triangles;
+  for (const auto f : m.faces())
+  {
+    const auto h = m.halfedge(f);
+    triangles.emplace_back(m.point(m.source(h)), m.point(m.target(h)), m.point(m.target(m.next(h))));
+  }
+  const Bezier_surface_3<double> rounded = patch.cast<double>();
+  double largest = 0;
+  for (int i = 0; i <= 12; ++i)
+    for (int j = 0; j <= 12; ++j)
+    {
+      const auto p = *rounded.point({i * i / 144.0, j / 12.0}); // dense at the pole
+      double least = HUGE_VAL;
+      for (const auto& t : triangles)
+        least = (std::min)(least, CGAL::squared_distance(Shape_mesh::Point_3(p[0], p[1], p[2]), t));
+      largest = (std::max)(largest, std::sqrt(least));
+    }
+  EXPECT_LE(largest, mesh.report.max_face_distance);
+}
+
+TEST(Mesh_patches, Folds_and_random_nets_have_meshes)
+{
+  std::vector<Patch> patches;
+  std::mt19937 random(20260);
+  std::cout << "seed 20260\n";
+  for (int k = 0; k < 12; ++k)
+  {
+    Points points(4);
+    for (auto& row : points)
+      for (int j = 0; j < 4; ++j)
+        row.push_back({Q(int(random() % 4)), Q(int(random() % 4)), Q(int(random() % 4))});
+    patches.emplace_back(points);
+  }
+  // Whitney's umbrella (u, u v, v^2) on [-1, 1]^2: singular at its centre.
+  patches.push_back(Patch(Points{
+    {{Q(-1), Q(1), Q(1)}, {Q(-1), Q(0), Q(-1)}, {Q(-1), Q(-1), Q(1)}},
+    {{Q(1), Q(-1), Q(1)}, {Q(1), Q(0), Q(-1)}, {Q(1), Q(1), Q(1)}}}));
+  for (const Patch& patch : patches)
+    for (const double angle : {20.0, 0.0})
+    {
+      Patch_mesh_options options = with_tolerance(0.05);
+      options.max_angle = angle;
+      const Shape_mesh mesh = meshed({patch}, options);
+      EXPECT_EQ(mesh.report.components, 1u);
+      EXPECT_EQ(mesh.report.euler_characteristic, 1);
+      EXPECT_LE(mesh.report.max_face_distance, 0.05);
+    }
+}
+
+TEST(Mesh_patches, Unit_of_length_does_not_matter)
+{
+  const auto scaled = [](const Q& scale) {
+    Points points(4);
+    for (int i = 0; i < 4; ++i)
+      for (int j = 0; j < 4; ++j)
+      {
+        Point p = teapot()[5].control_point(i, j);
+        for (Q& x : p)
+          x = x * scale;
+        points[i].push_back(p);
+      }
+    return Patch(points);
+  };
+  const Shape_mesh mesh = meshed({teapot()[5]}, Patch_mesh_options());
+  for (const int power : {-300, 300})
+  {
+    const Q two_power(std::ldexp(1.0, power));
+    const Shape_mesh other = meshed({scaled(two_power)}, Patch_mesh_options());
+    // Edges of equal length are ordered by rounding.
+    EXPECT_NEAR(double(other.report.faces), double(mesh.report.faces), 0.05 * mesh.report.faces);
+  }
 }
 
 TEST(Mesh_patches, Sphere_of_rational_patches_with_poles)

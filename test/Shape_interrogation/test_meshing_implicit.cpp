@@ -27,7 +27,7 @@ using CGAL::Bbox_3;
 // Several surfaces in one type, so that the mesher is compiled once.
 struct Test_function
 {
-  enum Kind { SPHERE, TORUS, TWO_SPHERES, PLANE, HYPERBOLOID, CONE, CATENOID, NOTHING, ROOT };
+  enum Kind { SPHERE, TORUS, TWO_SPHERES, PLANE, HYPERBOLOID, CONE, CATENOID, NOTHING, ROOT, SQUARE };
 
   Kind kind;
 
@@ -50,6 +50,7 @@ struct Test_function
         const NT e = Elementary_functions<NT>::exp(z);
         return r2 - square((e + NT(1) / e) / NT(2));
       }
+      case SQUARE: return square(r2 + z * z - NT(1));
       case ROOT: return Elementary_functions<NT>::sqrt(x);
       default: return r2 + z * z + NT(1);
     }
@@ -221,6 +222,7 @@ TEST(Mesh_implicit, What_has_no_mesh_is_refused)
   };
   Implicit_mesh_options options = coarse(0.1, 0.01);
   EXPECT_EQ(code(Test_function::NOTHING, cube(1), options), Refusal_code::NOT_ON_SURFACE);
+  EXPECT_EQ(code(Test_function::SQUARE, cube(1), options), Refusal_code::NOT_ON_SURFACE);
   EXPECT_EQ(code(Test_function::ROOT, cube(1), options), Refusal_code::OUTSIDE_DOMAIN);
   EXPECT_EQ(code(Test_function::SPHERE, Bbox_3(0, 0, 0, 0, 1, 1), options),
             Refusal_code::OUTSIDE_DOMAIN);

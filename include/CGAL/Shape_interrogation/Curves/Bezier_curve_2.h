@@ -11,7 +11,7 @@
 
 // Bezier curves in the plane, polynomial or rational, with exact second-order data in any ring.
 
-#include <CGAL/Shape_interrogation/Curves/internal/curve_derivatives.h>
+#include <CGAL/Shape_interrogation/Curves/Curve_derivatives_2.h>
 #include <CGAL/Shape_interrogation/Curves/internal/refuse_outside.h>
 
 #include <CGAL/assertions.h>

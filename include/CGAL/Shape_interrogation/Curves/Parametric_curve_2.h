@@ -11,7 +11,7 @@
 
 // Parametrised plane curves c(t), oriented by the normal (-c_2', c_1'): q b = det(c'', c').
 
-#include <CGAL/Shape_interrogation/Curves/internal/curve_derivatives.h>
+#include <CGAL/Shape_interrogation/Curves/Curve_derivatives_2.h>
 #include <CGAL/Shape_interrogation/Differentiation/internal/call_over_jets.h>
 
 #include <array>

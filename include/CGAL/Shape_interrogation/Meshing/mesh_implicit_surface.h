@@ -33,8 +33,8 @@ namespace Shape_interrogation {
  * \details The surface is looked for on a grid over the box, refined by \cgal's surface mesher, and
  * its vertices are moved onto the surface by Newton steps. At the faces of the box it is cut:
  * vertices of the cut lie on the surface and on the face. Triangles are oriented along the
- * gradient, so that a closed surface around negative values has outward normals. The function must exist in the
- * ball around the box whose radius is two edge lengths larger than half the diagonal.
+ * gradient, so that a closed surface around negative values has outward normals. The function must
+ * exist in the ball around the box whose radius is two edge lengths larger than half the diagonal.
  *
  * <b>What is certified.</b> The distances in the report are upper bounds, found with interval
  * arithmetic, where the report says so; else, near singular points for example, they are the

@@ -94,7 +94,7 @@ private:
                           "the point needs one coordinate for each variable");
     if (m_m < m_n - 2)
       return Refusal(Refusal_code::UNDERDETERMINED,
-                     std::to_string(m_m) + " equations in " + std::to_string(m_n) +
+                     std::to_string(m_m) + " equation(s) in " + std::to_string(m_n) +
                        " variables do not define a surface");
     if (auto refusal = differentiate(p))
       return *refusal;

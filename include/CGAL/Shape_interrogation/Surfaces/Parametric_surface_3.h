@@ -12,7 +12,7 @@
 // Parametrised surfaces S(u, v), oriented by S_u x S_v.
 
 #include <CGAL/Shape_interrogation/Differentiation/internal/call_over_jets.h>
-#include <CGAL/Shape_interrogation/Surfaces/internal/shape_from_derivatives.h>
+#include <CGAL/Shape_interrogation/Surfaces/Surface_derivatives_3.h>
 
 #include <utility>
 

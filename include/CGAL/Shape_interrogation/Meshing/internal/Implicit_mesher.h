@@ -21,7 +21,7 @@
 #include <CGAL/Shape_interrogation/Meshing/internal/implicit_distance.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/run_surface_mesher.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/set_shape.h>
-#include <CGAL/Shape_interrogation/Surfaces/access.h>
+#include <CGAL/Shape_interrogation/Surfaces/Implicit_surface_3.h>
 
 #include <algorithm>
 #include <array>
@@ -98,19 +98,21 @@ private:
     const double radius = std::sqrt(squared_half_diagonal) + 2 * m_edge_length;
     input.squared_radius = radius * radius;
     Mesher_output output = run_surface_mesher(m_function, seeds, input);
+    const auto gradient = [this](const Point& p) { return value_and_gradient(p); };
     for (Point& p : output.points)
     {
-      const auto projected = project_to_surface(m_surface, p);
-      if (projected && squared_distance(projected->point, p) < m_edge_length * m_edge_length)
-        p = projected->point;
+      Point projected = p;
+      if (slide_to_surface(gradient, projected) &&
+          squared_distance(projected, p) < m_edge_length * m_edge_length)
+        p = projected;
     }
     for (auto& t : output.triangles)
       orient(t, output.points);
-    const auto gradient = [this](const Point& p) {
-      const Jet<double, 3, 1> f = m_surface.template jet<1>(p);
-      return std::array<double, 4>{f.value(), f.derivative(0), f.derivative(1), f.derivative(2)};
-    };
     Box_clipper<decltype(gradient)>(output.points, output.triangles, gradient)(m_box);
+    if (output.triangles.empty())
+      refuse_mesh(Refusal_code::NOT_ON_SURFACE,
+                  "there is no triangle in the box: the function may touch zero without changing"
+                  " its sign");
     Built_mesh built = build_surface_mesh(output.points, output.triangles);
     Shape_mesh result{std::move(built.mesh), {}};
     describe_topology(result.surface_mesh, result.report);
@@ -125,8 +127,8 @@ private:
     const Point &a = points[t[0]], &b = points[t[1]], &c = points[t[2]];
     const Point middle{(a[0] + b[0] + c[0]) / 3, (a[1] + b[1] + c[1]) / 3,
                        (a[2] + b[2] + c[2]) / 3};
-    const Jet<double, 3, 1> f = m_surface.template jet<1>(middle);
-    const Point gradient{f.derivative(0), f.derivative(1), f.derivative(2)};
+    const std::array<double, 4> f = value_and_gradient(middle);
+    const Point gradient{f[1], f[2], f[3]};
     const Point ab{b[0] - a[0], b[1] - a[1], b[2] - a[2]};
     const Point ac{c[0] - a[0], c[1] - a[1], c[2] - a[2]};
     if (dot(cross(ab, ac), gradient) < 0)
@@ -138,7 +140,7 @@ private:
   // Of a triangle or, three times the same point, of a vertex.
   void add_distance(const std::array<Point, 3>& t, double& largest, bool& is_certified) const
   {
-    const Implicit_distance<Function> distance(m_surface, 2 * m_tolerance);
+    const Implicit_distance<Function> distance(m_surface, 2 * m_tolerance, 0.9 * m_tolerance);
     if (const auto bound = distance.bound(t))
     {
       largest = (std::max)(largest, *bound);
@@ -151,10 +153,23 @@ private:
       Point p;
       for (int k = 0; k < 3; ++k)
         p[k] = l[0] * t[0][k] + l[1] * t[1][k] + l[2] * t[2][k];
-      const auto projected = project_to_surface(m_surface, p);
-      if (projected)
-        largest = (std::max)(largest, std::sqrt(squared_distance(projected->point, p)));
+      largest = (std::max)(largest, sampled_distance(p));
     }
+  }
+
+  // At a place without a way to the surface, the length of an edge stands for what is not known.
+  double sampled_distance(const Point& p) const
+  {
+    Point projected = p;
+    const bool is_on_surface = slide_to_surface(
+      [this](const Point& x) { return value_and_gradient(x); }, projected);
+    return is_on_surface ? std::sqrt(squared_distance(projected, p)) : m_edge_length;
+  }
+
+  std::array<double, 4> value_and_gradient(const Point& p) const
+  {
+    const Jet<double, 3, 1> f = m_surface.template jet<1>(p);
+    return {f.value(), f.derivative(0), f.derivative(1), f.derivative(2)};
   }
 
   void describe_distances(Shape_mesh& result) const

@@ -164,11 +164,14 @@ public:
     else
     {
       // Beside a fold the shift is the solution of singular equations: it must shrink with the
-      // edge, or the box around the shifted points never does.
+      // edge, or the box around the shifted points never does; and with the distance from a side,
+      // where edges come near to fixed ones on it, which do not slide across.
       const double most = (std::max)(std::abs(q[0] - p[0]), std::abs(q[1] - p[1]));
       for (int d = 0; d < 2; ++d)
-        m.shift[d] = std::clamp(std::clamp(m.shift[d], -most, most), -(p[d] + q[d]),
-                                2 - (p[d] + q[d]));
+      {
+        const double limit = (std::min)({most, p[d] + q[d], 2 - (p[d] + q[d])});
+        m.shift[d] = std::clamp(m.shift[d], -limit, limit);
+      }
     }
     return m;
   }

@@ -13,6 +13,7 @@
 // the face; vertices near a face are moved there, so that no slivers arise.
 
 #include <CGAL/Shape_interrogation/Meshing/internal/implicit_seeds.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/slide_to_surface.h>
 
 #include <algorithm>
 #include <array>
@@ -121,7 +122,8 @@ private:
         Point p = m_points[i];
         p[d] = bound;
         const int fixed = m_fixed[i] | 1 << d;
-        if (!slide(p, fixed) || squared_distance(p, m_points[i]) > shortest[i] * shortest[i] / 9)
+        if (!slide_to_surface(m_gradient, p, fixed) ||
+            squared_distance(p, m_points[i]) > shortest[i] * shortest[i] / 9)
           continue;
         m_points[i] = p;
         m_fixed[i] = fixed;
@@ -138,36 +140,10 @@ private:
     on_chord[d] = bound;
     const int fixed = (m_fixed[a] & m_fixed[b]) | 1 << d;
     Point on_surface = on_chord;
-    const bool is_near = slide(on_surface, fixed) &&
+    const bool is_near = slide_to_surface(m_gradient, on_surface, fixed) &&
                          squared_distance(on_surface, on_chord) <= squared_distance(p, q) / 4;
     m_points.push_back(is_near ? on_surface : on_chord);
     m_fixed.push_back(fixed);
-  }
-
-  // Newton steps along the gradient without the fixed coordinates.
-  bool slide(Point& p, int fixed) const
-  {
-    double last = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 30; ++i)
-    {
-      const std::array<double, 4> f = m_gradient(p);
-      Point g{f[1], f[2], f[3]};
-      for (int k = 0; k < 3; ++k)
-        if (fixed & 1 << k)
-          g[k] = 0;
-      const double q = dot(g, g);
-      if (f[0] == 0)
-        return true;
-      if (!(q > 0) || !std::isfinite(f[0] / q))
-        return false;
-      const double step = std::abs(f[0]) / std::sqrt(q);
-      if (i > 3 && step >= last / 2)
-        return true; // what is left is rounding
-      last = step;
-      for (int k = 0; k < 3; ++k)
-        p[k] -= f[0] / q * g[k];
-    }
-    return false;
   }
 
   std::vector<Point>& m_points;

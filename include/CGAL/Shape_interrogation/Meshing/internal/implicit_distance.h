@@ -34,9 +34,10 @@ class Implicit_distance
   using Jet_2 = Jet<Mesh_interval, 3, 2>;
 
 public:
-  // `reach`: how far from the triangle the surface is looked for.
-  Implicit_distance(const Implicit_surface_3<Function>& surface, double reach)
-    : m_surface(surface), m_reach(reach)
+  // `reach`: how far from the triangle the surface is looked for; `enough`: a bound that need not
+  // be improved by dividing the triangle.
+  Implicit_distance(const Implicit_surface_3<Function>& surface, double reach, double enough)
+    : m_surface(surface), m_reach(reach), m_enough(enough)
   {}
 
   // An upper bound of the distance of all points of the triangle, if one is found.
@@ -53,7 +54,7 @@ public:
   }
 
 private:
-  // Divides the triangle where the enclosures are too wide.
+  // Divides the triangle where the enclosures are too wide; then the corners tell most.
   std::optional<double> bound(const std::array<Point, 3>& t, int divisions) const
   {
     std::optional<double> whole = bound_at_once(t, m_reach);
@@ -61,7 +62,7 @@ private:
     for (int i = 0; whole && *whole > 0 && i < 3; ++i)
       if (const std::optional<double> better = bound_at_once(t, *whole))
         whole = (std::min)(*whole, *better);
-    if (whole || divisions == 0)
+    if (divisions == 0 || (whole && *whole <= m_enough))
       return whole;
     const Point p = middle(t[1], t[2]), q = middle(t[2], t[0]), r = middle(t[0], t[1]);
     double largest = 0;
@@ -70,10 +71,10 @@ private:
     {
       const std::optional<double> b = bound(part, divisions - 1);
       if (!b)
-        return std::nullopt;
+        return whole;
       largest = (std::max)(largest, *b);
     }
-    return largest;
+    return whole ? (std::min)(largest, *whole) : largest;
   }
 
   static Point middle(const Point& a, const Point& b)
@@ -149,7 +150,7 @@ private:
   }
 
   const Implicit_surface_3<Function>& m_surface;
-  const double m_reach;
+  const double m_reach, m_enough;
 };
 
 } // namespace internal

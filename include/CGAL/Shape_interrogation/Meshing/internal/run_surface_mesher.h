@@ -10,7 +10,8 @@
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_RUN_SURFACE_MESHER_H
 
 // CGAL's Delaunay refinement of an implicit surface in a ball, step by step so that it can be
-// stopped. The only file that includes that mesher: it takes long to compile.
+// stopped. The only file that includes that mesher: it takes long to compile, and is deprecated
+// since CGAL 6.0, which still has it.
 
 #include <CGAL/Shape_interrogation/Meshing/internal/Mesh_refused.h>
 #include <CGAL/Shape_interrogation/Waist/Symmetric_matrix_3.h>
@@ -53,6 +54,19 @@ inline double next_offset(std::uint32_t& state)
   return double(state >> 8) / double(1 << 23) - 1;
 }
 
+// The mesher also asks for signs far outside the ball, where the function may not exist: it gets
+// those of the nearest point of the ball.
+template <class Point>
+Coordinates<double, 3> moved_into_ball(const Point& p, const Point& center,
+                                       const Surface_mesher_input& input)
+{
+  const auto d = p - center;
+  const double squared_length = d.squared_length();
+  const double t = squared_length > input.squared_radius
+                     ? std::sqrt(input.squared_radius / squared_length) : 1;
+  return {center.x() + t * d.x(), center.y() + t * d.y(), center.z() + t * d.z()};
+}
+
 // `f` takes coordinates; `seeds` are points on the surface, some on each component.
 template <class Function>
 Mesher_output run_surface_mesher(Function& f, const std::vector<Coordinates<double, 3>>& seeds,
@@ -70,9 +84,9 @@ Mesher_output run_surface_mesher(Function& f, const std::vector<Coordinates<doub
   Triangulation triangulation;
   Complex complex(triangulation);
   const Point center(input.center[0], input.center[1], input.center[2]);
+  const auto function = [&](const Point& p) { return f(moved_into_ball(p, center, input)); };
   // With larger errors than 1e-10 of the ball the points leave the surface visibly.
-  const Surface surface([&f](const Point& p) { return f({p.x(), p.y(), p.z()}); },
-                        Geom_traits::Sphere_3(center, input.squared_radius), 1e-10);
+  const Surface surface(function, Geom_traits::Sphere_3(center, input.squared_radius), 1e-10);
   // The mesher needs a triangulation of dimension three: seeds of a plane must not lie in it.
   const double size = 1e-6 * std::sqrt(input.squared_radius);
   std::uint32_t state = 1;

@@ -14,7 +14,7 @@
 
 #include <CGAL/Shape_interrogation/Curves/internal/Basis_values.h>
 #include <CGAL/Shape_interrogation/Curves/internal/Control_points.h>
-#include <CGAL/Shape_interrogation/Surfaces/internal/shape_from_derivatives.h>
+#include <CGAL/Shape_interrogation/Surfaces/Surface_derivatives_3.h>
 
 namespace CGAL {
 namespace Shape_interrogation {

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 
-#ifndef CGAL_SHAPE_INTERROGATION_SURFACES_INTERNAL_SHAPE_FROM_DERIVATIVES_H
-#define CGAL_SHAPE_INTERROGATION_SURFACES_INTERNAL_SHAPE_FROM_DERIVATIVES_H
+#ifndef CGAL_SHAPE_INTERROGATION_SURFACES_SURFACE_DERIVATIVES_3_H
+#define CGAL_SHAPE_INTERROGATION_SURFACES_SURFACE_DERIVATIVES_3_H
 
 // From the partial derivatives of a parametrisation to the waist:
 // N = S_u x S_v, B = -W+^T [[L, M], [M, N]] W+ (MATH: parametric).
@@ -55,4 +55,4 @@ Result<Local_shape_3<NT>> shape_from_derivatives(const Surface_derivatives_3<NT>
 } // namespace Shape_interrogation
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_INTERROGATION_SURFACES_INTERNAL_SHAPE_FROM_DERIVATIVES_H
+#endif // CGAL_SHAPE_INTERROGATION_SURFACES_SURFACE_DERIVATIVES_3_H

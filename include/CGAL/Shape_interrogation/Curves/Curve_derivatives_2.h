@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 
-#ifndef CGAL_SHAPE_INTERROGATION_CURVES_INTERNAL_CURVE_DERIVATIVES_H
-#define CGAL_SHAPE_INTERROGATION_CURVES_INTERNAL_CURVE_DERIVATIVES_H
+#ifndef CGAL_SHAPE_INTERROGATION_CURVES_CURVE_DERIVATIVES_2_H
+#define CGAL_SHAPE_INTERROGATION_CURVES_CURVE_DERIVATIVES_2_H
 
 // The point and two derivatives of a plane curve from its control points, and what they mean where
 // the third coordinate is a weight: with c = A / W, a' = W A' - A W' = W^2 c' and
@@ -132,4 +132,4 @@ Result<Local_shape_2<NT>> shape(const Row_derivatives<NT, 3>& r)
 } // namespace Shape_interrogation
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_INTERROGATION_CURVES_INTERNAL_CURVE_DERIVATIVES_H
+#endif // CGAL_SHAPE_INTERROGATION_CURVES_CURVE_DERIVATIVES_2_H
