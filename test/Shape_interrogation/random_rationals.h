@@ -32,7 +32,8 @@ public:
   // Evenly in [low, high]. (The standard's distributions differ between libraries.)
   int integer(int low, int high)
   {
-    return low + static_cast<int>(m_engine() % static_cast<unsigned>(high - low + 1));
+    const long long size = static_cast<long long>(high) - low + 1;
+    return static_cast<int>(low + static_cast<long long>(m_engine() % size));
   }
 
   // A fraction with small numerator and denominator.

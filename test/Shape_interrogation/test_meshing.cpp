@@ -261,7 +261,8 @@ TEST(Mesh_patches, No_point_of_a_patch_is_far_from_the_mesh)
   for (const auto f : m.faces())
   {
     const auto h = m.halfedge(f);
-    triangles.emplace_back(m.point(m.source(h)), m.point(m.target(h)), m.point(m.target(m.next(h))));
+    triangles.emplace_back(m.point(m.source(h)), m.point(m.target(h)),
+                           m.point(m.target(m.next(h))));
   }
   const Bezier_surface_3<double> rounded = patch.cast<double>();
   double largest = 0;

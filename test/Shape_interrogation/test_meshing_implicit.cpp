@@ -27,7 +27,10 @@ using CGAL::Bbox_3;
 // Several surfaces in one type, so that the mesher is compiled once.
 struct Test_function
 {
-  enum Kind { SPHERE, TORUS, TWO_SPHERES, PLANE, HYPERBOLOID, CONE, CATENOID, NOTHING, ROOT, SQUARE };
+  enum Kind
+  {
+    SPHERE, TORUS, TWO_SPHERES, PLANE, HYPERBOLOID, CONE, CATENOID, NOTHING, ROOT, SQUARE
+  };
 
   Kind kind;
 
