@@ -253,6 +253,7 @@ TEST(Forms, asymptotic_directions_are_zeros)
 TEST(Forms, common_asymptotic_directions)
 {
   Random random(6);
+  int agreeing = 0;
   for (int i = 0; i < 60; ++i)
   {
     // (p x + q y)(..) and (p x + q y)(..) share a direction; other factors are their own.
@@ -263,15 +264,37 @@ TEST(Forms, common_asymptotic_directions)
     const auto a = with_factor(random.rational(), random.nonzero_rational());
     const auto b = with_factor(random.rational(), random.nonzero_rational());
     EXPECT_TRUE(have_common_asymptotic_direction(a, b));
-    // Forms that agree on t and share a direction other than t are equal.
+    // Made to agree on t by a factor, they still share it.
     const Coordinates<Q, 2> t{random.rational(), random.nonzero_rational()};
     const Q at = a(t), bt = b(t);
     if (CGAL::is_zero(at) || CGAL::is_zero(bt))
       continue;
+    ++agreeing;
     const Q factor = at / bt;
     const Quadratic_form_2<Q> c{Q(b.l * factor), Q(b.m * factor), Q(b.n * factor)};
-    EXPECT_EQ(have_transversal_asymptotic_direction(a, c, t), (a - c).is_zero());
+    EXPECT_TRUE(have_transversal_asymptotic_direction(a, c, t));
     EXPECT_TRUE(have_transversal_asymptotic_direction(a, a, t));
+  }
+  EXPECT_GT(agreeing, 30);
+}
+
+// Forms that agree in all pairs with t differ by a multiple of (x x t)^2: they share a transversal
+// direction only if they are equal (the complex corollary).
+TEST(Forms, complex_corollary)
+{
+  Random random(61);
+  for (int i = 0; i < 60; ++i)
+  {
+    const Coordinates<Q, 2> t{random.rational(), random.nonzero_rational()};
+    const Q k = i % 3 ? random.rational() : Q(0);
+    const auto a = random_form(random);
+    const Quadratic_form_2<Q> b{Q(a.l + k * t[1] * t[1]), Q(a.m - k * t[0] * t[1]),
+                                Q(a.n + k * t[0] * t[0])};
+    const Coordinates<Q, 2> s{random.rational(), random.rational()};
+    EXPECT_EQ(a(t, s), b(t, s));
+    const bool only_at_t = CGAL::is_zero(a.determinant()) && CGAL::is_zero(a(t));
+    EXPECT_EQ(have_transversal_asymptotic_direction(a, b, t),
+              CGAL::is_zero(k) && (a.is_zero() || !only_at_t));
   }
 }
 
