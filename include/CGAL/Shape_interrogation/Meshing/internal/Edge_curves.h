@@ -159,8 +159,9 @@ private:
         dot(b.tangent, b.tangent) > 0 && dot(a.tangent, b.tangent) < m_settings.min_cosine)
       return false;
     const double s = parameter_value(a.t), t = parameter_value(b.t);
-    const double low = (std::max)(0.0, step_down(s - 0.26 * std::abs(a.shift)));
-    const double high = (std::min)(1.0, step_up(t + 0.26 * std::abs(a.shift)));
+    // As wide as the boxes of the triangles beside, whose bounds then tend to this one.
+    const double low = (std::max)(0.0, step_down(s - 0.34 * std::abs(a.shift)));
+    const double high = (std::min)(1.0, step_up(t + 0.34 * std::abs(a.shift)));
     const Interval_nt<false>::Protector protector;
     Interval_net net = m_net;
     net.restrict_to(low, high, 0, 1);

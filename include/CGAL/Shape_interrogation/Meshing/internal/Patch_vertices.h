@@ -166,7 +166,9 @@ public:
       // Beside a fold the shift is the solution of singular equations: it must shrink with the
       // edge, or the box around the shifted points never does; and with the distance from a side,
       // where edges come near to fixed ones on it, which do not slide across.
-      const double most = (std::max)(std::abs(q[0] - p[0]), std::abs(q[1] - p[1]));
+      // At regular places it shrinks with the square.
+      const double extent = (std::max)(std::abs(q[0] - p[0]), std::abs(q[1] - p[1]));
+      const double most = extent * (std::min)(1.0, 4 * extent);
       for (int d = 0; d < 2; ++d)
       {
         const double limit = (std::min)({most, p[d] + q[d], 2 - (p[d] + q[d])});
