@@ -93,66 +93,58 @@ void torus_hand_written(benchmark::State& state)
 }
 BENCHMARK(torus_hand_written);
 
-void torus_double(benchmark::State& state)
+// Asks for something of the local shapes of the torus.
+template <class NT, class Question>
+void ask_torus(benchmark::State& state, Question question)
 {
-  const auto p = points<double>();
+  const auto p = points<NT>();
   const si::Implicit_surface_3<Torus> surface;
   std::size_t i = 0;
   for (auto _ : state)
   {
     const auto s = surface.level_set_shape(p[i++ % 64]);
     if (s)
-      benchmark::DoNotOptimize(all_curvatures(*s));
+      benchmark::DoNotOptimize(question(*s));
   }
+}
+
+void torus_double(benchmark::State& state)
+{
+  ask_torus<double>(state, [](const auto& s) { return all_curvatures(s); });
 }
 BENCHMARK(torus_double);
 
 void torus_interval(benchmark::State& state)
 {
   const Interval::Protector protector;
-  const auto p = points<Interval>();
-  const si::Implicit_surface_3<Torus> surface;
-  std::size_t i = 0;
-  for (auto _ : state)
-  {
-    const auto s = surface.level_set_shape(p[i++ % 64]);
-    if (s)
-      benchmark::DoNotOptimize(si::is_umbilic(*s));
-  }
+  ask_torus<Interval>(state, si::Is_umbilic());
 }
 BENCHMARK(torus_interval);
 
-void torus_exact(benchmark::State& state)
-{
-  const auto p = points<Rational>();
-  const si::Implicit_surface_3<Torus> surface;
-  std::size_t i = 0;
-  for (auto _ : state)
-  {
-    const auto s = surface.level_set_shape(p[i++ % 64]);
-    if (s)
-      benchmark::DoNotOptimize(si::is_umbilic(*s));
-  }
-}
+void torus_exact(benchmark::State& state) { ask_torus<Rational>(state, si::Is_umbilic()); }
 BENCHMARK(torus_exact);
 
-void torus_umbilic_filtered(benchmark::State& state)
-{
-  const auto p = points<double>();
-  const si::Interrogation_3 umbilic{si::Implicit_surface_3<Torus>()};
-  std::size_t i = 0;
-  for (auto _ : state)
-    benchmark::DoNotOptimize(umbilic.is_umbilic(p[i++ % 64]));
-}
-BENCHMARK(torus_umbilic_filtered);
-
-void torus_sign_of_gaussian_filtered(benchmark::State& state)
+// Asks a certified question at the points in double.
+template <class Torus_question>
+void ask_torus_filtered(benchmark::State& state, Torus_question question)
 {
   const auto p = points<double>();
   const si::Interrogation_3 torus{si::Implicit_surface_3<Torus>()};
   std::size_t i = 0;
   for (auto _ : state)
-    benchmark::DoNotOptimize(torus.sign_of_gaussian_curvature(p[i++ % 64]));
+    benchmark::DoNotOptimize(question(torus, p[i++ % 64]));
+}
+
+void torus_umbilic_filtered(benchmark::State& state)
+{
+  ask_torus_filtered(state, [](const auto& torus, const auto& p) { return torus.is_umbilic(p); });
+}
+BENCHMARK(torus_umbilic_filtered);
+
+void torus_sign_of_gaussian_filtered(benchmark::State& state)
+{
+  ask_torus_filtered(
+    state, [](const auto& torus, const auto& p) { return torus.sign_of_gaussian_curvature(p); });
 }
 BENCHMARK(torus_sign_of_gaussian_filtered);
 

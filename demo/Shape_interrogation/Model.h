@@ -14,6 +14,7 @@
 #include <CGAL/Shape_interrogation/Differentiation/Expression.h>
 
 #include <array>
+#include <cstddef>
 #include <map>
 #include <optional>
 #include <string>
@@ -112,6 +113,8 @@ struct Mesh_task
   Number edge_length;
   std::optional<Number> tolerance;
   std::optional<std::array<Range, 3>> box;
+  std::optional<std::size_t> max_vertices;
+  std::string colour; // the property that is shown, or empty
 };
 
 // What the format knows and this version does not offer: the sentence that says so.

@@ -71,10 +71,10 @@ inline Scalar make_scalar(const Wide& x)
     ends = Interval::largest().pair();
   const double low = lower_end(x, MPFR_RNDN), high = upper_end(x, MPFR_RNDN);
   if (ends.first == ends.second)
-    return Scalar{low, exact_text(Rational(low)), {}};
+    return Scalar{low + 0.0, exact_text(Rational(low)), {}}; // no -0
   if (low != high || !std::isfinite(low))
     return Scalar{{}, "", ends};
-  return Scalar{low, "", ends};
+  return Scalar{low + 0.0, "", ends};
 }
 
 inline bool is_sharp(const Scalar& s) { return s.approx.has_value(); }
@@ -128,7 +128,7 @@ constexpr std::size_t longest_text = 100000;
 
 inline Scalar make_scalar(const Rational& x)
 {
-  const double approx = si::number_cast<double>(x);
+  const double approx = si::number_cast<double>(x) + 0.0; // no -0
   std::string text = exact_text(x);
   if (text.size() > longest_text)
     return Scalar{approx, "", CGAL::to_interval(x)};

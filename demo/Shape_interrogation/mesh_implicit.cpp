@@ -21,7 +21,8 @@ si::Result<si::Shape_mesh> mesh_implicit(const Model& model, const Mesh_task& ta
 {
   const Surface_model& surface = model.surfaces.at(task.surfaces.front());
   const Implicit_model& implicit = std::get<Implicit_model>(surface.data);
-  const si::Expression_function<3> f(surface.flip ? -implicit.f : implicit.f);
+  si::Expression_function<3> f(surface.flip ? -implicit.f : implicit.f);
+  f.set_variable_names(implicit.variables);
   std::array<std::array<double, 2>, 3> box;
   for (int i = 0; i < 3; ++i)
     box[i] = evaluate<double>((*task.box)[i]);
@@ -29,6 +30,8 @@ si::Result<si::Shape_mesh> mesh_implicit(const Model& model, const Mesh_task& ta
   options.edge_length = evaluate<double>(task.edge_length);
   if (task.tolerance)
     options.tolerance = evaluate<double>(*task.tolerance);
+  if (task.max_vertices)
+    options.max_vertices = *task.max_vertices;
   return si::mesh_implicit_surface(
     si::Implicit_surface_3<si::Expression_function<3>>(f),
     CGAL::Bbox_3(box[0][0], box[1][0], box[2][0], box[0][1], box[1][1], box[2][1]), options,

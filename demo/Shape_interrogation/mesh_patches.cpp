@@ -12,6 +12,7 @@
 #include "surface_shapes.h"
 
 #include <CGAL/Shape_interrogation/Meshing/mesh_patches.h>
+#include <CGAL/Shape_interrogation/Number_types/Errors.h>
 
 namespace interrogate {
 
@@ -84,11 +85,22 @@ si::Result<si::Shape_mesh> mesh_patches(const Model& model, const Mesh_task& tas
 {
   Pieces pieces;
   for (std::size_t i = 0; i < task.surfaces.size(); ++i)
-    add(model.surfaces.at(task.surfaces[i]), static_cast<int>(i), pieces);
+    try
+    {
+      add(model.surfaces.at(task.surfaces[i]), static_cast<int>(i), pieces);
+    }
+    catch (const si::Not_algebraic_error&)
+    {
+      return si::Refusal(si::Refusal_code::NOT_ALGEBRAIC,
+                         "a control point of " + task.surfaces[i] +
+                           " has a root: patches are meshed from rational control points only");
+    }
   si::Patch_mesh_options options;
   options.max_edge_length = evaluate<double>(task.edge_length);
   if (task.tolerance)
     options.tolerance = evaluate<double>(*task.tolerance);
+  if (task.max_vertices)
+    options.max_vertices = *task.max_vertices;
   options.flipped = pieces.flipped;
   const si::Result<si::Shape_mesh> mesh = si::mesh_patches(pieces.patches, options, progress);
   if (!mesh)

@@ -16,6 +16,7 @@
 #include <CGAL/Shape_interrogation/Differentiation/parse_expression.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace interrogate {
 
@@ -60,13 +61,16 @@ Number read_number(const Json_place& place)
   return parse_at(place, "a number", [&] { return si::parse_number(text); });
 }
 
-Number read_positive_number(const Json_place& place)
+Number read_length(const Json_place& place)
 {
   const Number number = read_number(place);
   const bool is_positive =
     parse_at(place, "a number", [&] { return is_certainly_less(Number(0), number); });
   if (!is_positive)
     place.expected("a number greater than 0");
+  const double length = parse_at(place, "a number", [&] { return evaluate<double>(number); });
+  if (!(length > 0 && std::isfinite(length)))
+    place.fail("a length is used in floating point, where this one is zero or infinite");
   return number;
 }
 
@@ -104,10 +108,12 @@ int read_integer(const Json_place& place, int lowest, int highest)
   if (place.kind() != Json::Kind::NUMBER)
     place.expected(what);
   const Rational number = read_rational(place);
-  for (int i = lowest; i <= highest; ++i)
-    if (number == i)
-      return i;
-  place.expected(what);
+  if (number < lowest || number > highest)
+    place.expected(what);
+  const int integer = static_cast<int>(si::number_cast<double>(number));
+  if (number != integer)
+    place.expected(what);
+  return integer;
 }
 
 Expression read_function(const Json_place& place, const std::vector<std::string>& variables)

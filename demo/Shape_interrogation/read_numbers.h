@@ -25,7 +25,8 @@ namespace interrogate {
 // A JSON number or a string expression, exactly.
 Number read_number(const Json_place& place);
 
-Number read_positive_number(const Json_place& place);
+// A positive number that is one in floating point, too.
+Number read_length(const Json_place& place);
 
 // A number without roots.
 Rational read_rational(const Json_place& place);

@@ -201,6 +201,32 @@ std::optional<Unsupported_task> refuse_mesh(const Surface_model& surface, bool i
   return std::nullopt;
 }
 
+// The vertex property that colours are given for.
+std::string read_colour(const Json_place& place, const std::string& file)
+{
+  const std::vector<std::string> known = {"gaussian_curvature", "mean_curvature", "kmin", "kmax"};
+  const std::string& name = place.string("the name of a curvature (" + listed(known) + ")");
+  if (std::find(known.begin(), known.end(), name) == known.end())
+    place.expected("the name of a curvature (" + listed(known) + ")");
+  const std::string extension = std::filesystem::path(file).extension().string();
+  if (extension != ".ply" && extension != ".vtp")
+    place.fail("a file " + extension + " has no colours: give a name that ends in .ply or .vtp");
+  return name;
+}
+
+// Each mesher has one way to calculate, which a task may name.
+std::optional<Unsupported_task> refuse_number_type(const Json_place& place, bool is_implicit)
+{
+  const std::string own = is_implicit ? "double" : "filtered";
+  const std::optional<Json_place> type = place.find("number_type");
+  if (!type || type->string("") == own)
+    return std::nullopt;
+  return Unsupported_task{std::string("the mesh of ") +
+                          (is_implicit ? "an implicit surface" : "patches") +
+                          " in the number type \"" + type->string("") +
+                          "\" is not available in this version: it is made in \"" + own + "\""};
+}
+
 std::array<Range, 3> read_box(const Json_place& place)
 {
   const std::vector<Json_place> ranges = place.elements(3, "[[x0,x1],[y0,y1],[z0,z1]]");
@@ -210,23 +236,30 @@ std::array<Range, 3> read_box(const Json_place& place)
 Task_data read_mesh(const Json_place& place, const Model& model)
 {
   allow_only(place, {"surface", "surfaces", "curve", "file", "edge_length", "tolerance", "box",
-                     "start"});
+                     "start", "max_vertices", "colour"});
   if (place.find("curve"))
     return Unsupported_task{"the meshing of curves is not available in this version"};
   if (place.find("start"))
     return Unsupported_task{"\"start\" in a mesh is not available in this version"};
   Mesh_task task;
   task.file = read_file_name(place.field("file"));
-  task.edge_length = read_positive_number(place.field("edge_length"));
+  task.edge_length = read_length(place.field("edge_length"));
   if (const std::optional<Json_place> tolerance = place.find("tolerance"))
-    task.tolerance = read_positive_number(*tolerance);
+    task.tolerance = read_length(*tolerance);
   if (const std::optional<Json_place> box = place.find("box"))
     task.box = read_box(*box);
+  if (const std::optional<Json_place> most = place.find("max_vertices"))
+    task.max_vertices = read_integer(*most, 3, 100000000);
+  if (const std::optional<Json_place> colour = place.find("colour"))
+    task.colour = read_colour(*colour, task.file);
   const std::vector<Json_place> names = mesh_surface_names(place);
   for (const Json_place& name : names)
   {
     const Surface_model& surface = read_name(name, model.surfaces, "surface");
     if (const auto refused = refuse_mesh(surface, names.size() == 1, task.box.has_value()))
+      return *refused;
+    const bool is_implicit = std::holds_alternative<Implicit_model>(surface.data);
+    if (const auto refused = refuse_number_type(place, is_implicit))
       return *refused;
     task.surfaces.push_back(name.string(""));
   }

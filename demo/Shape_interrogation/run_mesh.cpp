@@ -12,7 +12,10 @@
 #include "run_tasks.h"
 
 #include <CGAL/Shape_interrogation/IO/write_mesh.h>
+#include <CGAL/Shape_interrogation/Meshing/color_by_property.h>
 
+#include <array>
+#include <cstddef>
 #include <system_error>
 
 namespace interrogate {
@@ -24,16 +27,24 @@ Report_json distance(double value, bool certified)
   return {{"approx", value}, {"certified", certified}};
 }
 
+template <std::size_t d>
+std::array<double, d> without_signed_zeros(std::array<double, d> numbers)
+{
+  for (double& x : numbers)
+    x += 0.0;
+  return numbers;
+}
+
 Report_json place_to_json(const si::Refused_place& place,
                           const std::vector<std::string>& surfaces)
 {
   Report_json json;
   json["vertex"] = place.vertex;
-  json["point"] = place.point;
+  json["point"] = without_signed_zeros(place.point);
   if (place.patch >= 0)
   {
     json["surface"] = surfaces[place.patch];
-    json["parameters"] = place.parameters;
+    json["parameters"] = without_signed_zeros(place.parameters);
   }
   json["code"] = si::to_string(place.code);
   json["text"] = place.evidence;
@@ -54,6 +65,7 @@ void store(const si::Mesh_report& report, const std::vector<std::string>& surfac
   json["max_vertex_distance"] =
     distance(report.max_vertex_distance, report.vertex_distance_certified);
   json["max_face_distance"] = distance(report.max_face_distance, report.face_distance_certified);
+  json["unmeasured_samples"] = report.unmeasured_samples;
   json["refused_places"] = Report_json::array();
   for (const si::Refused_place& place : report.refused_places)
     json["refused_places"].push_back(place_to_json(place, surfaces));
@@ -64,6 +76,12 @@ void store(const si::Mesh_report& report, const std::vector<std::string>& surfac
   if (!report.refused_places.empty())
     result.line += ", " + std::to_string(report.refused_places.size()) +
                    " vertices without curvature";
+}
+
+void colour(const std::string& property, si::Shape_mesh& mesh, Task_result& result)
+{
+  const double range = si::color_by_property(mesh.surface_mesh, "v:" + property);
+  result.fields["colour"] = {{"property", property}, {"range", {{"approx", range}}}};
 }
 
 void write(const si::Shape_mesh& mesh, const std::filesystem::path& directory,
@@ -95,17 +113,20 @@ void run_mesh(const Model& model, const Mesh_task& task, const std::filesystem::
   const Surface_model& first = model.surfaces.at(task.surfaces.front());
   const bool is_implicit = std::holds_alternative<Implicit_model>(first.data);
   result.number_type = is_implicit ? "double" : "filtered";
-  const si::Result<si::Shape_mesh> mesh =
+  const si::Result<si::Shape_mesh> made =
     is_implicit ? mesh_implicit(model, task, show) : mesh_patches(model, task, show);
-  if (!mesh)
+  if (!made)
   {
     result.status = "refused";
-    result.code = si::to_string(mesh.refusal().code());
-    result.text = mesh.refusal().evidence();
+    result.code = si::to_string(made.refusal().code());
+    result.text = made.refusal().evidence();
     return;
   }
-  store(mesh->report, task.surfaces, result);
-  write(*mesh, directory, task.file, result);
+  si::Shape_mesh mesh = *made;
+  store(mesh.report, task.surfaces, result);
+  if (!task.colour.empty())
+    colour(task.colour, mesh, result);
+  write(mesh, directory, task.file, result);
 }
 
 } // namespace interrogate

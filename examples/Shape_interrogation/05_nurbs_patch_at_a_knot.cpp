@@ -19,11 +19,14 @@
 using namespace CGAL::Shape_interrogation;
 using NT = CGAL::Exact_rational;
 
-void print(const Local_shape_3<NT>& s)
+// Prints the data, and tells whether they are those of a plane, or of a cylinder of radius 1.
+bool print_and_check(const Local_shape_3<NT>& s, bool is_plane)
 {
   std::cout << (is_planar(s) ? "planar" : is_parabolic(s) ? "parabolic" : "curved")
             << ", K = " << gaussian_curvature(s) << ", sign of H = " << sign_of_mean_curvature(s)
             << ", H^2 = " << squared_mean_curvature(s) << '\n';
+  const NT expected = is_plane ? NT(0) : NT(1) / 4;
+  return is_planar(s) == is_plane && squared_mean_curvature(s) == expected;
 }
 
 int main()
@@ -43,21 +46,24 @@ int main()
   const Nurbs_surface_3<NT> surface(Knot_vector<NT>(2, {0, 0, 0, 1, 2, 2, 2}),
                                     Knot_vector<NT>(1, {0, 0, 1, 1}), points, weights);
 
+  bool is_right = true;
   for (const NT& u : std::array<NT, 3>{NT(1) / 2, NT(1), NT(3) / 2})
   {
     const auto shapes = surface.one_sided_shapes({u, NT(1) / 3});
     std::cout << "u = " << u << ", " << shapes->size()
               << (shapes->size() == 1 ? " answer\n" : " answers\n");
+    is_right &= shapes->size() == (u == 1 ? 2 : 1);
     for (const auto& side : *shapes)
     {
       std::cout << (side.side_u == Side::LEFT ? "  from the left:  " : "  from the right: ");
-      print(*side.shape);
+      is_right &= print_and_check(*side.shape, u < 1 || (u == 1 && side.side_u == Side::LEFT));
     }
   }
   // The same surface as Bezier patches, exactly.
   for (const auto& piece : surface.bezier_patches())
   {
     std::cout << "the patch over [" << piece.u[0] << ", " << piece.u[1] << "]: ";
-    print(*piece.patch({NT(1) / 2, NT(1) / 3}));
+    is_right &= print_and_check(*piece.patch({NT(1) / 2, NT(1) / 3}), piece.u[1] == 1);
   }
+  return is_right ? EXIT_SUCCESS : EXIT_FAILURE;
 }

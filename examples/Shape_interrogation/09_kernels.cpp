@@ -22,11 +22,9 @@ using namespace CGAL::Shape_interrogation;
 struct Paraboloid
 {
   template <class NT>
-  NT operator()(const NT& x, const NT& y, const NT& z) const
-  {
-    return x * x + y * y - z;
-  }
+  NT operator()(const NT& x, const NT& y, const NT& z) const { return x * x + y * y - z; }
 };
+const Implicit_surface_3<Paraboloid> paraboloid;
 
 // The sign of |N_x, N_y| - |N_z|: is the surface steeper than 45 degrees?
 struct Compare_slope_to_45_degrees
@@ -40,30 +38,33 @@ struct Compare_slope_to_45_degrees
 };
 
 template <class Traits>
-void interrogate(const char* name)
+bool interrogate(const char* name)
 {
   using Point_3 = typename Traits::Point_3;
-  const Implicit_surface_3<Paraboloid> paraboloid;
   const Interrogation_3<Implicit_surface_3<Paraboloid>, Traits> ask(paraboloid);
   const typename Traits::FT tenth = typename Traits::FT(1) / 10;
+  bool is_right = true;
   for (const Point_3& p : {Point_3(0, 0, 0), Point_3(tenth, 0, tenth * tenth)})
   {
-    const auto shape = ask.shape(p);
+    is_right &= *ask.is_umbilic(p) == (p.x() == 0) && *ask.sign_of_mean_curvature(p) > 0;
     std::cout << name << ", at " << p << ": umbilic " << *ask.is_umbilic(p) << ", sign of H "
-              << *ask.sign_of_mean_curvature(p) << ", K = " << gaussian_curvature(*shape)
-              << ", normal " << Traits::vector(shape->normal()) << '\n';
+              << *ask.sign_of_mean_curvature(p) << ", K = " << gaussian_curvature(*ask.shape(p))
+              << ", normal " << Traits::vector(ask.shape(p)->normal()) << '\n';
   }
+  return is_right;
 }
 
 int main()
 {
-  interrogate<Filtered_shape_traits_3<>>("EPICK, filtered");
-  interrogate<Shape_traits_3<CGAL::Exact_predicates_exact_constructions_kernel>>("EPECK");
-
+  bool is_right = interrogate<Filtered_shape_traits_3<>>("EPICK, filtered");
+  is_right &= interrogate<Shape_traits_3<CGAL::Epeck>>("EPECK");
   // Half a unit from the axis the slope is exactly 1.
   const Filtered<Shape_chain<Compare_slope_to_45_degrees>> compare_slope;
-  const Implicit_surface_3<Paraboloid> paraboloid;
   for (const double x : {0.5 - 0x1p-40, 0.5, 0.5 + 0x1p-40})
-    std::cout << "slope compared with 45 degrees: "
-              << *compare_slope(paraboloid, Coordinates<double, 3>{x, 0, x * x}) << '\n';
+  {
+    const auto slope = compare_slope(paraboloid, Coordinates<double, 3>{x, 0, x * x});
+    std::cout << "slope compared with 45 degrees: " << *slope << '\n';
+    is_right &= *slope == CGAL::compare(x, 0.5);
+  }
+  return is_right ? EXIT_SUCCESS : EXIT_FAILURE;
 }

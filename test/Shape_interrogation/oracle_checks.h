@@ -186,7 +186,7 @@ void expect_roots(const Local_shape_3<NT>& s, const Fields& e)
   const auto b = s.shape_matrix();
   const Real length = CGAL::sqrt(t.normal_squared_length());
   for (int i = 0; i < 3; ++i)
-    for (int j = i; j < 3; ++j)
+    for (int j = 0; j < 3; ++j)
     {
       const Real h = number_cast<Real>(b(i, j)) / length;
       EXPECT_EQ(h, number<Real>(e.texts("H_h").at(3 * i + j))) << "H_h " << i << j;

@@ -8,6 +8,7 @@
 
 #include "oracles.h"
 
+#include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
 #include <fstream>
@@ -101,6 +102,17 @@ Count::~Count()
 void Count::skip(const std::string& id, const std::string& reason)
 {
   m_skipped.push_back(id + ": " + reason);
+}
+
+Counts::Counts(const std::string& kind)
+  : approximate(kind, "double"), filtered(kind, "filtered"), interval(kind, "intervals"),
+    real(kind, "exact reals"), one_root(kind, "Q(sqrt c)"), exact(kind, "exact rationals")
+{}
+
+void Counts::expect_visited(int cases) const
+{
+  for (const Count* count : {&approximate, &filtered, &interval, &real, &one_root, &exact})
+    EXPECT_EQ(count->visited(), cases);
 }
 
 } // namespace oracles

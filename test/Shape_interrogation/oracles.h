@@ -72,6 +72,17 @@ private:
   std::map<std::string, int> m_passed_over;
 };
 
+// The counts of a test that runs each case in all number types.
+struct Counts
+{
+  Count approximate, filtered, interval, real, one_root, exact;
+
+  explicit Counts(const std::string& kind);
+
+  // Expects that each number type has met this many cases.
+  void expect_visited(int cases) const;
+};
+
 } // namespace oracles
 
 #endif // SHAPE_INTERROGATION_TEST_ORACLES_H

@@ -15,8 +15,11 @@
 
 #include <CGAL/Exact_rational.h>
 
+#include <gtest/gtest.h>
+
 #include <array>
 #include <random>
+#include <string>
 
 namespace testing_shapes {
 
@@ -24,10 +27,13 @@ using CGAL::Shape_interrogation::Coordinates;
 using CGAL::Shape_interrogation::Symmetric_matrix_3;
 using Q = CGAL::Exact_rational;
 
+// Numbers from a fixed seed, which a test that fails prints.
 class Random
 {
 public:
-  explicit Random(unsigned seed) : m_engine(seed) {}
+  explicit Random(unsigned seed)
+    : m_trace(__FILE__, __LINE__, "seed " + std::to_string(seed)), m_engine(seed)
+  {}
 
   // Evenly in [low, high]. (The standard's distributions differ between libraries.)
   int integer(int low, int high)
@@ -36,10 +42,21 @@ public:
     return static_cast<int>(low + static_cast<long long>(m_engine() % size));
   }
 
-  // A fraction with small numerator and denominator.
-  Q rational(int size = 9)
+  // A fraction with its numerator in [low, high] and its denominator in [1, denominators].
+  Q fraction(int low, int high, int denominators)
   {
-    Q x = Q(integer(-size, size)) / Q(integer(1, size));
+    const int numerator = integer(low, high); // drawn first, whatever the compiler
+    Q x = Q(numerator) / Q(integer(1, denominators));
+    return x;
+  }
+
+  // A fraction with small numerator and denominator.
+  Q rational(int size = 9) { return fraction(-size, size, size); }
+
+  // Strictly between 0 and 1.
+  Q in_unit_interval()
+  {
+    Q x = Q(integer(1, 96)) / Q(97);
     return x;
   }
 
@@ -71,6 +88,7 @@ public:
   }
 
 private:
+  testing::ScopedTrace m_trace;
   std::mt19937 m_engine;
 };
 

@@ -21,7 +21,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <ostream>
+#include <string>
+#include <vector>
 
 // --- Number types --------------------------------------------------------------------------------
 
@@ -29,52 +33,35 @@ namespace archetype {
 
 using Q = CGAL::Exact_rational;
 
-// A ring: + - *, integers, and no comparison of any kind.
-class Ring
+// Exact numbers with + - *, integers, and no comparison of any kind.
+template <bool has_division>
+class Number
 {
 public:
-  Ring() = default;
-  explicit Ring(int x) : m_x(x) {}
-  explicit Ring(const Q& x) : m_x(x) {}
-  explicit Ring(double) = delete;
+  Number() = default;
+  explicit Number(int x) : m_x(x) {}
+  explicit Number(const Q& x) : m_x(x) {}
+  explicit Number(double) = delete;
 
   const Q& exact() const { return m_x; }
 
-  friend Ring operator-(const Ring& a) { return Ring(Q(-a.m_x)); }
-  friend Ring operator+(const Ring& a, const Ring& b) { return Ring(Q(a.m_x + b.m_x)); }
-  friend Ring operator-(const Ring& a, const Ring& b) { return Ring(Q(a.m_x - b.m_x)); }
-  friend Ring operator*(const Ring& a, const Ring& b) { return Ring(Q(a.m_x * b.m_x)); }
-  Ring& operator+=(const Ring& b) { return *this = *this + b; }
-  Ring& operator-=(const Ring& b) { return *this = *this - b; }
-  friend std::ostream& operator<<(std::ostream& out, const Ring& x) { return out << x.m_x; }
+  friend Number operator-(const Number& a) { return Number(Q(-a.m_x)); }
+  friend Number operator+(const Number& a, const Number& b) { return Number(Q(a.m_x + b.m_x)); }
+  friend Number operator-(const Number& a, const Number& b) { return Number(Q(a.m_x - b.m_x)); }
+  friend Number operator*(const Number& a, const Number& b) { return Number(Q(a.m_x * b.m_x)); }
+  Number& operator+=(const Number& b) { return *this = *this + b; }
+  Number& operator-=(const Number& b) { return *this = *this - b; }
+  friend std::ostream& operator<<(std::ostream& out, const Number& x) { return out << x.m_x; }
 
 private:
   Q m_x;
 };
 
-// A field: division besides.
-class Field
-{
-public:
-  Field() = default;
-  explicit Field(int x) : m_x(x) {}
-  explicit Field(const Q& x) : m_x(x) {}
-  explicit Field(double) = delete;
+using Ring = Number<false>;
 
-  const Q& exact() const { return m_x; }
-
-  friend Field operator-(const Field& a) { return Field(Q(-a.m_x)); }
-  friend Field operator+(const Field& a, const Field& b) { return Field(Q(a.m_x + b.m_x)); }
-  friend Field operator-(const Field& a, const Field& b) { return Field(Q(a.m_x - b.m_x)); }
-  friend Field operator*(const Field& a, const Field& b) { return Field(Q(a.m_x * b.m_x)); }
-  friend Field operator/(const Field& a, const Field& b) { return Field(Q(a.m_x / b.m_x)); }
-  Field& operator+=(const Field& b) { return *this = *this + b; }
-  Field& operator-=(const Field& b) { return *this = *this - b; }
-  friend std::ostream& operator<<(std::ostream& out, const Field& x) { return out << x.m_x; }
-
-private:
-  Q m_x;
-};
+// Division besides.
+using Field = Number<true>;
+inline Field operator/(const Field& a, const Field& b) { return Field(Q(a.exact() / b.exact())); }
 
 // The degree of a polynomial that is computed with: sums take the larger degree, products add.
 // Terms that cancel are not noticed, so it is a bound. There is no sign: asking for one does not
@@ -352,6 +339,174 @@ TEST(Source_models, with_numbers)
   EXPECT_TRUE(*umbilic(Prepared(Osculating_paraboloid<double>{0.1, 0.1}), origin));
   const Osculating_paraboloid<Q> rational{Q(Q(1) / 3), Q(Q(2) / 6)};
   EXPECT_TRUE(*umbilic(rational, Coordinates<Q, 3>{Q(0), Q(0), Q(0)}));
+}
+
+// What a filter needs is made for a filter only, and the data are held once.
+template <class NT>
+struct Counted_paraboloid : Osculating_paraboloid<NT>
+{
+  static inline int casts = 0;
+
+  template <class To>
+  Osculating_paraboloid<To> cast() const
+  {
+    ++casts;
+    return Osculating_paraboloid<NT>::template cast<To>();
+  }
+};
+
+TEST(Source_models, are_converted_for_a_filter_only)
+{
+  const Counted_paraboloid<Q> rational{{Q(1), Q(2)}};
+  const Interrogation_3<Counted_paraboloid<Q>, Exact_shape_traits_3> exact(rational);
+  EXPECT_EQ(*exact.sign_of_mean_curvature(Coordinates<Q, 3>{Q(0), Q(0), Q(0)}), CGAL::NEGATIVE);
+  EXPECT_EQ(Counted_paraboloid<Q>::casts, 0);
+  EXPECT_EQ(exact.source().b, Q(2));
+  EXPECT_LE(sizeof(exact), sizeof(rational) + sizeof(void*));
+  const Counted_paraboloid<double> saddle{{0.5, -2}};
+  const Interrogation_3<Counted_paraboloid<double>> filtered(saddle);
+  const int casts = Counted_paraboloid<double>::casts;
+  EXPECT_GT(casts, 0);
+  EXPECT_EQ(*filtered.sign_of_mean_curvature(Coordinates<double, 3>{0, 0, 0}), CGAL::POSITIVE);
+  EXPECT_EQ(Counted_paraboloid<double>::casts, casts);
+  EXPECT_EQ(filtered.source().b, -2);
+}
+
+// A model of ShapeSource_3 with a constant that no exact type has.
+struct Infinite_source
+{
+  template <class NT>
+  using Query = Coordinates<NT, 3>;
+
+  template <class NT>
+  Result<Local_shape_3<NT>> operator()(const Coordinates<NT, 3>& p) const
+  {
+    if (Number_type_traits<NT>::is_enclosure)
+      return Refusal(Refusal_code::UNDECIDED, "it is infinite");
+    return Gauss_sphere()(Coordinates<NT, 3>{p[0], p[1], number_cast<NT>(HUGE_VAL)});
+  }
+};
+
+TEST(Source_models, without_exact_values)
+{
+  const Interrogation_3<Infinite_source> filtered{Infinite_source()};
+  const Interrogation_3<Infinite_source, Exact_shape_traits_3> exact{Infinite_source()};
+  const auto a = filtered.is_umbilic(Coordinates<double, 3>{1, 2, 3});
+  const auto b = exact.is_umbilic(Coordinates<Q, 3>{Q(1), Q(2), Q(3)});
+  const auto c = exact.shape(Coordinates<Q, 3>{Q(1), Q(2), Q(3)});
+  ASSERT_FALSE(a || b || c);
+  EXPECT_EQ(a.refusal().code(), Refusal_code::LIMIT_EXCEEDED);
+  EXPECT_EQ(b.refusal().code(), Refusal_code::LIMIT_EXCEEDED);
+  EXPECT_EQ(c.refusal().code(), Refusal_code::LIMIT_EXCEEDED);
+  EXPECT_NE(c.refusal().evidence().find("not finite"), std::string::npos);
+}
+
+// --- Traits --------------------------------------------------------------------------------------
+
+// Models of ShapeTraits_3 without a kernel.
+template <class NT>
+struct Plain_traits
+{
+  using FT = NT;
+  struct Point_3 { NT x, y, z; };
+  struct Vector_3 { NT x, y, z; };
+  using Sign = CGAL::Sign;
+  using Boolean = bool;
+  using Exact = Q;
+  using Is_filtered = CGAL::Tag_false;
+
+  static Coordinates<NT, 3> coordinates(const Point_3& p) { return {p.x, p.y, p.z}; }
+  static Coordinates<NT, 3> coordinates(const Vector_3& v) { return {v.x, v.y, v.z}; }
+};
+
+struct Plain_filtered_traits : Plain_traits<double>
+{
+  using Is_filtered = CGAL::Tag_true;
+};
+
+template <class Traits>
+void expect_answers()
+{
+  using NT = typename Traits::FT;
+  const Interrogation_3<Implicit_surface_3<Torus>, Traits> torus{Implicit_surface_3<Torus>()};
+  const typename Traits::Point_3 p{NT(3), NT(0), NT(0)};
+  EXPECT_EQ(*torus.sign_of_gaussian_curvature(p), CGAL::POSITIVE);
+  EXPECT_EQ(*torus.sign_of_normal_curvature(p, typename Traits::Vector_3{NT(0), NT(1), NT(2)}),
+            CGAL::POSITIVE);
+  EXPECT_EQ(*torus.sign_of_normal_curvature(p, Coordinates<NT, 3>{NT(0), NT(1), NT(2)}),
+            CGAL::POSITIVE);
+  EXPECT_EQ(*torus.sign_of_normal_curvature(p, {NT(0), NT(1), NT(2)}), CGAL::POSITIVE);
+  EXPECT_FALSE(*torus.is_umbilic(p) || *torus.is_planar(p) || *torus.is_parabolic(p));
+  ASSERT_TRUE(torus.shape(p));
+  EXPECT_EQ(torus.shape(p)->normal()[1], NT(0));
+}
+
+TEST(Traits_models, with_nothing_but_the_requirements)
+{
+  expect_answers<Plain_traits<double>>();
+  expect_answers<Plain_traits<Q>>();
+  expect_answers<Plain_filtered_traits>();
+  expect_answers<Filtered_shape_traits_3<>>();
+}
+
+// --- Chains --------------------------------------------------------------------------------------
+
+// The same surface by two functions: the other one has k (x + y + z)^2 in its second derivatives.
+struct Round
+{
+  double k;
+
+  template <class NT>
+  NT operator()(const NT& x, const NT& y, const NT& z) const
+  {
+    const NT plane = x + y + z;
+    return (plane + x * x + y * y + z * z) * (NT(1) + NT(k) * plane);
+  }
+};
+
+// No double direction is tangent to most surfaces, and the sign is one of the surface all the same.
+TEST(Chains, certified_normal_curvature_depends_on_the_surface_only)
+{
+  const Coordinates<double, 3> origin{0, 0, 0}, nearly_tangent{0.1, 0.2, -0.3};
+  for (const double k : {0.0, 1e40, -1e40})
+  {
+    const Interrogation_3 surface{Implicit_surface_3(Round{k})};
+    EXPECT_EQ(*surface.sign_of_normal_curvature(origin, nearly_tangent), CGAL::POSITIVE) << k;
+  }
+}
+
+struct Sign_of_exponentials // of 0, which nothing can prove
+{
+  template <class NT>
+  auto operator()(const NT& x) const
+  {
+    using F = Elementary_functions<NT>;
+    return sign_decision(NT(F::exp(x) * F::exp(-x) - NT(1)));
+  }
+};
+
+struct Sign_of_roots // sqrt(2) sqrt(3) - sqrt(6)
+{
+  template <class NT>
+  auto operator()(const NT& x) const
+  {
+    using F = Elementary_functions<NT>;
+    const NT product = F::sqrt(NT(x * NT(2))) * F::sqrt(NT(x * NT(3)));
+    return sign_decision(NT(product - F::sqrt(NT(x * NT(6)))));
+  }
+};
+
+TEST(Chains, bare_decision_that_no_stage_makes)
+{
+  Filter_statistics statistics;
+  const Filtered<Sign_of_exponentials> exponentials({}, &statistics);
+  EXPECT_THROW(exponentials(1.0), Not_algebraic_error);
+  const Filtered<Sign_of_roots, Quadratic_field> roots({}, &statistics);
+  EXPECT_THROW(roots(1.0), Not_algebraic_error);
+  EXPECT_EQ(statistics.fallbacks(), 0u) << "no answer is counted";
+  const Filtered<Sign_of_roots, CORE::Expr> real({}, &statistics);
+  EXPECT_EQ(real(1.0), CGAL::ZERO);
+  EXPECT_EQ(statistics.exact, 1u);
 }
 
 // --- Degrees -------------------------------------------------------------------------------------

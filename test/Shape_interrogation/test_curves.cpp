@@ -9,6 +9,9 @@
 // Plane curves: implicit, parametric, Bezier and B-spline, against known curvatures, against each
 // other, from both sides of knots, and in several number types.
 
+#include "exact_checks.h"
+#include "random_rationals.h"
+
 #include <CGAL/Shape_interrogation/Curves/Implicit_curve_2.h>
 #include <CGAL/Shape_interrogation/Curves/Nurbs_curve_2.h>
 #include <CGAL/Shape_interrogation/Curves/Parametric_curve_2.h>
@@ -18,14 +21,11 @@
 
 #include <array>
 #include <limits>
-#include <random>
-#include <string>
 #include <vector>
 
 namespace {
 
-using namespace CGAL::Shape_interrogation;
-using Q = CGAL::Exact_rational;
+using namespace testing_shapes;
 using Interval = CGAL::Interval_nt<true>;
 using Shape = Local_shape_2<Q>;
 using Point = Coordinates<Q, 2>;
@@ -33,51 +33,21 @@ using Points = std::vector<Point>;
 using Bezier = Bezier_curve_2<Q>;
 using Nurbs = Nurbs_curve_2<Q>;
 
-Q fraction(int a, int b)
+Points random_points(Random& random, int n)
 {
-  Q x = Q(a) / Q(b);
-  return x;
+  Points p;
+  for (int i = 0; i < n; ++i)
+    p.push_back({random.fraction(-30, 30, 9), random.fraction(-30, 30, 9)});
+  return p;
 }
 
-std::vector<Q> rationals(const std::vector<int>& x, int denominator = 1)
+std::vector<Q> random_weights(Random& random, int n)
 {
-  std::vector<Q> y;
-  for (int i : x)
-    y.push_back(fraction(i, denominator));
-  return y;
+  std::vector<Q> w;
+  for (int i = 0; i < n; ++i)
+    w.push_back(random.fraction(1, 12, 5));
+  return w;
 }
-
-// Numbers from a fixed seed that a failing test prints.
-class Random
-{
-public:
-  explicit Random(unsigned seed) : m_trace(__FILE__, __LINE__, "seed " + std::to_string(seed)),
-                                   m_engine(seed) {}
-
-  int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(m_engine); }
-  Q rational() { return fraction(integer(-30, 30), integer(1, 9)); }
-  Q in_unit_interval() { return fraction(integer(1, 96), 97); }
-
-  Points points(int n)
-  {
-    Points p;
-    for (int i = 0; i < n; ++i)
-      p.push_back({rational(), rational()});
-    return p;
-  }
-
-  std::vector<Q> weights(int n)
-  {
-    std::vector<Q> w;
-    for (int i = 0; i < n; ++i)
-      w.push_back(fraction(integer(1, 12), integer(1, 5)));
-    return w;
-  }
-
-private:
-  testing::ScopedTrace m_trace;
-  std::mt19937 m_engine;
-};
 
 // kappa^2 = b^2 / q = (q b)^2 / q^3.
 Q squared_curvature(const Shape& s)
@@ -88,33 +58,6 @@ Q squared_curvature(const Shape& s)
 }
 
 CGAL::Sign sign_of_curvature(const Shape& s) { return CGAL::sign(s.numerator()); }
-
-// The same point, the same oriented normal and the same b for it: all of the second-order data.
-void expect_same_shape(const Shape& a, const Shape& b)
-{
-  EXPECT_EQ(a.point(), b.point());
-  const Q m = internal::dot(a.normal(), b.normal()) / a.normal_squared_length();
-  EXPECT_GT(m, 0);
-  EXPECT_EQ(b.normal()[0], Q(m * a.normal()[0]));
-  EXPECT_EQ(b.normal()[1], Q(m * a.normal()[1]));
-  EXPECT_EQ(b.shape_number(), Q(m * a.shape_number()));
-}
-
-void expect_same_answer(const Result<Shape>& a, const Result<Shape>& b)
-{
-  ASSERT_EQ(a.has_value(), b.has_value());
-  if (a)
-    expect_same_shape(*a, *b);
-  else
-    EXPECT_EQ(a.refusal().code(), b.refusal().code());
-}
-
-template <class T>
-void expect_refusal(Refusal_code code, const Result<T>& result)
-{
-  ASSERT_FALSE(result.has_value());
-  EXPECT_EQ(code, result.refusal().code()) << result.refusal().evidence();
-}
 
 struct Ellipse
 {
@@ -276,7 +219,7 @@ TEST(Parametric_curve, agrees_with_the_implicit_curve)
   Random random(20260201);
   for (int k = 0; k < 5; ++k)
   {
-    const auto s = Parametric_curve_2<Circle>()(random.rational());
+    const auto s = Parametric_curve_2<Circle>()(random.fraction(-30, 30, 9));
     ASSERT_TRUE(s);
     const auto t = Implicit_curve_2<Unit_circle>()(s->point());
     ASSERT_TRUE(t);
@@ -290,8 +233,8 @@ TEST(Bezier_curve, agrees_with_the_parametric_curve_of_the_same_map)
   for (int degree : {1, 2, 3, 5, 7, 8, 10})
     for (bool rational : {false, true})
     {
-      const Points p = random.points(degree + 1);
-      const std::vector<Q> w = rational ? random.weights(degree + 1) : std::vector<Q>();
+      const Points p = random_points(random, degree + 1);
+      const std::vector<Q> w = rational ? random_weights(random, degree + 1) : std::vector<Q>();
       const Bezier curve(p, w);
       const Parametric_curve_2<Bernstein_map> map(Bernstein_map{p, w});
       for (int k = 0; k < 4; ++k)
@@ -335,8 +278,8 @@ TEST(Bezier_curve, has_constant_curvature_on_circular_arcs)
 TEST(Bezier_curve, takes_weights_of_any_sign)
 {
   Random random(20260204);
-  const Points p = random.points(4);
-  const std::vector<Q> w = random.weights(4);
+  const Points p = random_points(random, 4);
+  const std::vector<Q> w = random_weights(random, 4);
   std::vector<Q> negative;
   for (const Q& x : w)
     negative.push_back(-x);
@@ -365,8 +308,8 @@ TEST(Bezier_curve, refuses_cusps)
 TEST(Bezier_curve, reversed_has_the_opposite_normal)
 {
   Random random(20260205);
-  const Points p = random.points(5);
-  for (const Bezier& curve : {Bezier(p), Bezier(p, random.weights(5))})
+  const Points p = random_points(random, 5);
+  for (const Bezier& curve : {Bezier(p), Bezier(p, random_weights(random, 5))})
   {
     const Q t = random.in_unit_interval();
     const auto s = curve(t);
@@ -380,7 +323,7 @@ TEST(Bezier_curve, reversed_has_the_opposite_normal)
 TEST(Bezier_curve, casts_what_was_given)
 {
   Random random(20260206);
-  const Bezier curve(random.points(4), random.weights(4));
+  const Bezier curve(random_points(random, 4), random_weights(random, 4));
   const auto rounded = curve.cast<double>();
   const auto back = rounded.cast<Q>();
   EXPECT_EQ(back.degree(), 3);
@@ -396,12 +339,6 @@ TEST(Bezier_curve, casts_what_was_given)
   ASSERT_TRUE(ring);
   EXPECT_EQ(sign_decision(ring->numerator()), CGAL::POSITIVE);
 #endif
-}
-
-void expect_contains(const Interval& x, const Q& exact)
-{
-  EXPECT_LE(Q(x.inf()), exact);
-  EXPECT_GE(Q(x.sup()), exact);
 }
 
 // The enclosure contains the exact data, is narrow, and double is close to them.
@@ -431,20 +368,11 @@ TEST(Bezier_curve, is_enclosed_by_intervals)
   Random random(20260207);
   for (int degree : {1, 2, 3, 6, 9})
   {
-    const Points p = random.points(degree + 1);
+    const Points p = random_points(random, degree + 1);
     expect_enclosures(Bezier(p), random.in_unit_interval());
-    expect_enclosures(Bezier(p, random.weights(degree + 1)), random.in_unit_interval());
+    expect_enclosures(Bezier(p, random_weights(random, degree + 1)), random.in_unit_interval());
   }
 }
-
-// Clamped, unclamped, of high multiplicity, discontinuous, of degree 1 and of degree 9.
-const std::vector<Knot_vector<Q>> knot_vectors{
-  Knot_vector<Q>(3, rationals({0, 0, 0, 0, 1, 3, 4, 4, 4, 4}, 7)),
-  Knot_vector<Q>(2, rationals({0, 0, 0, 2, 5, 5, 7, 7, 7}, 3)),
-  Knot_vector<Q>(3, rationals({-5, -3, -1, 0, 2, 3, 3, 3, 4, 6, 9}, 2)),
-  Knot_vector<Q>(2, rationals({0, 0, 0, 1, 1, 1, 4, 4, 4})),
-  Knot_vector<Q>(1, rationals({0, 1, 2, 2, 5, 6})),
-  Knot_vector<Q>(9, rationals({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2}))};
 
 TEST(Nurbs_curve, agrees_with_its_bezier_arcs_inside_and_at_knots_from_each_side)
 {
@@ -453,7 +381,8 @@ TEST(Nurbs_curve, agrees_with_its_bezier_arcs_inside_and_at_knots_from_each_side
     for (bool rational : {false, true})
     {
       const int n = knots.number_of_control_points();
-      const Nurbs curve(knots, random.points(n), rational ? random.weights(n) : std::vector<Q>());
+      const Nurbs curve(knots, random_points(random, n),
+                        rational ? random_weights(random, n) : std::vector<Q>());
       const auto pieces = curve.bezier_arcs();
       EXPECT_EQ(pieces.size(), knots.spans().size());
       EXPECT_EQ(pieces.front().t[0], curve.domain()[0]);
@@ -487,7 +416,7 @@ TEST(Nurbs_curve, has_two_shapes_where_it_is_not_smooth_enough)
 {
   const Knot_vector<Q> knots(2, rationals({0, 0, 0, 1, 2, 2, 3, 3, 3}));
   Random random(20260209);
-  const Nurbs curve(knots, random.points(6), random.weights(6));
+  const Nurbs curve(knots, random_points(random, 6), random_weights(random, 6));
   for (int t : {1, 2})
   {
     const auto sides = curve.one_sided_shapes(Q(t));
@@ -509,7 +438,8 @@ TEST(Nurbs_curve, has_two_shapes_where_it_is_not_smooth_enough)
   expect_refusal(Refusal_code::OUTSIDE_DOMAIN, curve(Q(-1)));
 
   // A cubic with simple knots has two continuous derivatives: one answer everywhere.
-  const Nurbs smooth(Knot_vector<Q>(3, rationals({0, 0, 0, 0, 1, 2, 2, 2, 2})), random.points(5));
+  const Nurbs smooth(Knot_vector<Q>(3, rationals({0, 0, 0, 0, 1, 2, 2, 2, 2})),
+                     random_points(random, 5));
   EXPECT_EQ(smooth.one_sided_shapes(Q(1))->size(), 1u);
   expect_same_answer(smooth(Q(1), Side::LEFT), smooth(Q(1), Side::RIGHT));
 }
@@ -529,15 +459,16 @@ TEST(Nurbs_curve, tells_why_it_is_invalid)
 {
   const Knot_vector<Q> knots(1, rationals({0, 0, 1, 1}));
   Random random(20260210);
-  EXPECT_FALSE(Nurbs::why_invalid(knots, random.points(2)));
-  EXPECT_EQ(Nurbs::why_invalid(knots, random.points(3)),
+  EXPECT_FALSE(Nurbs::why_invalid(knots, random_points(random, 2)));
+  EXPECT_EQ(Nurbs::why_invalid(knots, random_points(random, 3)),
             "there are 3 control points, the knots need 2");
-  EXPECT_EQ(Nurbs::why_invalid(knots, random.points(2), random.weights(1)),
+  EXPECT_EQ(Nurbs::why_invalid(knots, random_points(random, 2), random_weights(random, 1)),
             "there are 1 weights, the knots need 2");
 #ifndef CGAL_NO_PRECONDITIONS
-  EXPECT_THROW(Nurbs(knots, random.points(3)), CGAL::Precondition_exception);
-  EXPECT_THROW(Bezier(random.points(1)), CGAL::Precondition_exception);
-  EXPECT_THROW(Bezier(random.points(2), random.weights(1)), CGAL::Precondition_exception);
+  EXPECT_THROW(Nurbs(knots, random_points(random, 3)), CGAL::Precondition_exception);
+  EXPECT_THROW(Bezier(random_points(random, 1)), CGAL::Precondition_exception);
+  EXPECT_THROW(Bezier(random_points(random, 2), random_weights(random, 1)),
+               CGAL::Precondition_exception);
 #endif
 }
 

@@ -14,11 +14,16 @@
 #include <CGAL/Shape_interrogation/Analysis/asymptotic_directions.h>
 #include <CGAL/Shape_interrogation/Analysis/Dupin_indicatrix.h>
 #include <CGAL/Shape_interrogation/Analysis/hessian_by_cases.h>
+#include <CGAL/Shape_interrogation/Analysis/normal_curvature.h>
 #include <CGAL/Shape_interrogation/Analysis/principal_directions.h>
 #include <CGAL/Shape_interrogation/Analysis/shape_from_normal_curvatures.h>
 #include <CGAL/Shape_interrogation/Analysis/three_tangents.h>
+#include <CGAL/Shape_interrogation/Number_types/cast_argument.h>
 
 #include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
 
 namespace {
 
@@ -145,6 +150,55 @@ TEST(Directions, refusals)
   const Shape sphere = Shape::from_form(origin, n, Symmetric_matrix_3<Q>(3, 0, 0, 3, 0, 0));
   expect_code(projector_on_max_direction(sphere), Refusal_code::AMBIGUOUS);
   expect_code(principal_directions(sphere.cast<double>()), Refusal_code::AMBIGUOUS);
+}
+
+// Directions that are not tangent stand for their projections: what the form does to the normal,
+// which is no property of the surface, does not matter.
+TEST(Directions, not_tangent)
+{
+  Random random(3);
+  for (int i = 0; i < 40; ++i)
+  {
+    const Point n = random.nonzero_vector(), w = random.vector(), v = random.nonzero_vector();
+    const Symmetric_matrix_3<Q> t = random.matrix();
+    Symmetric_matrix_3<Q> other = t;
+    for (int k = 0; k < 3; ++k)
+      for (int l = k; l < 3; ++l)
+        other(k, l) = t(k, l) + n[k] * w[l] + w[k] * n[l];
+    const Q scale = Q(random.integer(1, 9)) / 7;
+    const Shape a = Shape::from_form(origin, n, t, scale),
+                b = Shape::from_form(origin, n, other, scale);
+    const Q form = internal::dot(v, internal::multiply(a.shape_matrix(), v));
+    EXPECT_EQ(sign_of_normal_curvature(a, v), CGAL::sign(form));
+    EXPECT_EQ(sign_of_normal_curvature(b, v), CGAL::sign(form));
+    EXPECT_EQ(sign_of_normal_curvature(a, n), CGAL::ZERO) << "no direction in the surface";
+    const Q c = internal::dot(n, v), q = internal::dot(n, n);
+    const Q length = internal::dot(v, v) - c * c / q;
+    if (CGAL::is_zero(length))
+      continue;
+    EXPECT_EQ(squared_normal_curvature(a, v), Q(form * form / (length * length * q)));
+    EXPECT_EQ(squared_normal_curvature(b, v), squared_normal_curvature(a, v));
+    EXPECT_NEAR(normal_curvature(b.cast<double>(), cast_argument<double>(v)),
+                number_cast<double>(Q(form / length)) / std::sqrt(number_cast<double>(q)), 1e-9);
+    const CGAL::Interval_nt<false>::Protector protector;
+    const auto sign = sign_of_normal_curvature(b.cast<CGAL::Interval_nt<false>>(),
+                                               cast_argument<CGAL::Interval_nt<false>>(v));
+    EXPECT_TRUE(CGAL::possibly(sign == CGAL::sign(form)));
+    EXPECT_TRUE(CGAL::is_certain(sign) || CGAL::is_zero(form)) << "decides";
+  }
+}
+
+// The length of the normal is no obstacle in double, as long as its square is one.
+TEST(Directions, in_double_for_normals_of_any_length)
+{
+  for (const double length : {1e-150, 1e-3, 1e150})
+  {
+    const auto s = Local_shape_3<double>::from_form(
+      {0, 0, 0}, {length, 0, 0}, Symmetric_matrix_3<double>(0, 0, 0, length, 0, 2 * length));
+    EXPECT_EQ(sign_of_normal_curvature(s, {1e-3, 1, 0}), CGAL::POSITIVE) << length;
+    EXPECT_NEAR(normal_curvature(s, {1e-3, 1, 0}), 1, 1e-12) << length;
+    EXPECT_NEAR(normal_curvature(s, {-1, 0, 1}), 2, 1e-12) << length;
+  }
 }
 
 // --- The projector -------------------------------------------------------------------------------

@@ -12,7 +12,9 @@
 #include "random_rationals.h"
 
 #include <CGAL/Shape_interrogation/Number_types/Filtered.h>
+#include <CGAL/Shape_interrogation/Surfaces/Bezier_surface_3.h>
 #include <CGAL/Shape_interrogation/Surfaces/Implicit_surface_3.h>
+#include <CGAL/Shape_interrogation/Traits/Interrogation_3.h>
 #include <CGAL/Shape_interrogation/Traits/questions.h>
 
 #include <gtest/gtest.h>
@@ -22,6 +24,7 @@
 #include <cmath>
 #include <limits>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -160,6 +163,96 @@ struct Almost_sphere
   }
 };
 
+// --- The bounds of patches -----------------------------------------------------------------------
+
+// A patch somewhere, in any size, of any degree, with doubles that have all their bits.
+Bezier_surface_3<double> random_patch(Random& random, bool rational)
+{
+  const double size = std::ldexp(1., random.integer(-40, 40));
+  const double offset = size * std::ldexp(random.real(-1, 1), random.integer(-10, 20));
+  const int m = random.integer(1, 9), n = random.integer(1, 5);
+  std::vector<std::vector<Point>> points(m + 1, std::vector<Point>(n + 1));
+  std::vector<std::vector<double>> weights;
+  for (int i = 0; i <= m; ++i)
+    for (int j = 0; j <= n; ++j)
+    {
+      points[i][j] = random_point(random, size);
+      points[i][j][random.integer(0, 2)] += offset;
+    }
+  if (rational)
+    for (int i = 0; i <= m; ++i)
+    {
+      weights.emplace_back();
+      for (int j = 0; j <= n; ++j)
+        weights.back().push_back(random.real(0.5, 2));
+    }
+  return Bezier_surface_3<double>(points, weights);
+}
+
+void expect_enclosed(const Q& exact, const Magnitude& x)
+{
+  const Q error = exact - Q(x.value());
+  EXPECT_LE(CGAL::abs(error), Q(x.error())) << x;
+}
+
+TEST(Filter_magnitude, bounds_the_error_of_patches)
+{
+  Random random(20260901);
+  for (int i = 0; i < 200; ++i)
+  {
+    const auto patch = random_patch(random, i % 2 == 1);
+    const Coordinates<double, 2> uv{random.real(0, 1), random.real(0, 1)};
+    const auto exact = patch.cast<Q>().shape_at_origin(cast_argument<Q>(uv));
+    const auto quick = patch.cast<Magnitude>().shape_at_origin(cast_argument<Magnitude>(uv));
+    ASSERT_TRUE(exact);
+    if (!quick)
+      continue; // an offset that leaves no digits of the derivatives
+    for (int d = 0; d < 3; ++d)
+      expect_enclosed(exact->normal()[d], quick->normal()[d]);
+    expect_enclosed(exact->normal_squared_length(), quick->normal_squared_length());
+    expect_enclosed(exact->trace_numerator(), quick->trace_numerator());
+    expect_enclosed(exact->minors_numerator(), quick->minors_numerator());
+    expect_enclosed(umbilic_discriminant(*exact), umbilic_discriminant(*quick));
+  }
+}
+
+TEST(Filter_magnitude, decides_on_ordinary_patches)
+{
+  Random random(20260902);
+  Filter_statistics statistics;
+  for (int i = 0; i < 100; ++i)
+  {
+    std::vector<std::vector<Point>> points(4, std::vector<Point>(4));
+    for (int u = 0; u < 4; ++u)
+      for (int v = 0; v < 4; ++v)
+        points[u][v] = {u + random.real(-.2, .2), v + random.real(-.2, .2), random.real(-1, 1)};
+    const Interrogation_3 patch{Bezier_surface_3<double>(points), &statistics};
+    EXPECT_FALSE(*patch.is_umbilic(Coordinates<double, 2>{random.real(0, 1), random.real(0, 1)}));
+  }
+  EXPECT_EQ(statistics.magnitude, 100u);
+}
+
+// A rational patch: the ring needs no division, so that no rationals are needed either.
+TEST(Filter_stages, rational_patches_reach_the_exact_ring)
+{
+  // z = 1 at every point: planar, but with weights and in numbers that round.
+  std::vector<std::vector<Point>> points(3, std::vector<Point>(3));
+  std::vector<std::vector<double>> weights(3, std::vector<double>(3));
+  Random random(20260903);
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j)
+    {
+      points[i][j] = {i + random.real(0, .3), j + random.real(0, .3), 1};
+      weights[i][j] = random.real(.5, 2);
+    }
+  Filter_statistics statistics;
+  const Interrogation_3 patch{Bezier_surface_3<double>(points, weights), &statistics};
+  for (int i = 0; i < 3; ++i)
+    EXPECT_TRUE(*patch.is_planar(Coordinates<double, 2>{.3, .25 * i}));
+  EXPECT_EQ(statistics.exact_ring, 3u);
+  EXPECT_EQ(statistics.exact, 0u);
+}
+
 // --- Which stage decides -------------------------------------------------------------------------
 
 TEST(Filter_stages, generic_input_stays_in_floating_point)
@@ -278,15 +371,6 @@ TEST(Filter_stages, almost_umbilic)
 
 // --- Functions that no exact type has ------------------------------------------------------------
 
-struct Bare_sign_of_k
-{
-  template <class Function, class NT>
-  auto operator()(const Implicit_surface_3<Function>& surface, const Coordinates<NT, 3>& p) const
-  {
-    return sign_of_gaussian_curvature(*surface.level_set_shape(p));
-  }
-};
-
 TEST(Filter_transcendental, generic_points_are_decided_by_intervals)
 {
   Random random(4);
@@ -331,7 +415,7 @@ struct Bare_difference_of_logarithms
 TEST(Filter_transcendental, bare_decision_throws)
 {
   const Filtered<Bare_difference_of_logarithms> filter;
-  EXPECT_THROW(filter(3.0), Shape_error);
+  EXPECT_THROW(filter(3.0), Not_algebraic_error);
   EXPECT_EQ(effective_rounding(), FE_TONEAREST);
 }
 
@@ -468,6 +552,36 @@ TEST(Filter_rounding, restored_after_exception_in_the_last_stage)
   {
     const Rounding rounding(mode);
     EXPECT_THROW(filter(Q(Q(1) / 3), Q(Q(1) / 7)), std::logic_error);
+    EXPECT_EQ(effective_rounding(), mode);
+  }
+}
+
+// Zero, undecided until it is computed exactly; tells the rounding mode in which that is done.
+struct Mode_of_exact_stages
+{
+  int* mode;
+
+  template <class NT>
+  auto operator()(const NT& x, const NT& y) const
+  {
+    if constexpr (std::is_same_v<NT, Exact_ring> || std::is_same_v<NT, Q>)
+      *mode = effective_rounding();
+    const NT difference = x + y - x - y;
+    return sign_decision(difference);
+  }
+};
+
+TEST(Filter_rounding, exact_stages_round_to_nearest)
+{
+  int seen = -1;
+  const Filtered<Mode_of_exact_stages> filter(Mode_of_exact_stages{&seen});
+  for (const int mode : rounding_modes)
+  {
+    const Rounding rounding(mode);
+    EXPECT_EQ(filter(1.0, 1e-30), CGAL::ZERO);
+    EXPECT_EQ(std::exchange(seen, -1), FE_TONEAREST) << "in the ring";
+    EXPECT_EQ(filter(Q(Q(1) / 3), Q(Q(1) / 7)), CGAL::ZERO);
+    EXPECT_EQ(std::exchange(seen, -1), FE_TONEAREST) << "in rationals";
     EXPECT_EQ(effective_rounding(), mode);
   }
 }

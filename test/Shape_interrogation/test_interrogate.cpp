@@ -34,10 +34,9 @@ struct Outcome
   std::string output; // of both streams
 };
 
-Outcome run(const std::string& arguments, const std::string& environment = "")
+Outcome run(const std::string& arguments)
 {
-  const std::string command =
-    environment + " '" SHAPE_INTERROGATION_PROGRAM "' " + arguments + " 2>&1";
+  const std::string command = "'" SHAPE_INTERROGATION_PROGRAM "' " + arguments + " 2>&1";
   FILE* pipe = popen(command.c_str(), "r");
   Outcome result{-1, ""};
   for (char block[4096]; std::size_t n = std::fread(block, 1, sizeof block, pipe);)
@@ -67,12 +66,10 @@ protected:
   }
 
   // Runs the model and returns the report; the status is expected.
-  Json report(const fs::path& model, int status, const std::string& options = "",
-              const std::string& environment = "") const
+  Json report(const fs::path& model, int status, const std::string& options = "") const
   {
     const fs::path out = m_directory / "out";
-    const Outcome r =
-      run("'" + model.string() + "' --out '" + out.string() + "' " + options, environment);
+    const Outcome r = run("'" + model.string() + "' --out '" + out.string() + "' " + options);
     EXPECT_EQ(r.status, status) << r.output;
     std::ifstream in(out / "report.json");
     EXPECT_TRUE(in.good()) << r.output;
@@ -253,15 +250,87 @@ TEST_F(Program, usual_calls)
     EXPECT_EQ(entry.path().filename(), "report.json"); // no temporary file stays
 }
 
-TEST_F(Program, the_locale_has_no_influence)
+TEST_F(Program, zero_has_no_sign)
 {
-  const fs::path model = write("m.json", sphere_model);
-  Json usual = report(model, 0), german = report(model, 0, "", "LC_ALL=de_DE.UTF-8"),
-       turkish = report(model, 0, "", "LC_ALL=tr_TR.UTF-8");
-  for (Json* json : {&usual, &german, &turkish})
-    (*json)["tasks"][0].erase("seconds");
-  EXPECT_EQ(usual, german);
-  EXPECT_EQ(usual, turkish);
+  const fs::path model = write("m.json", R"({ "tasks": [
+    { "task": "shape_operator", "normal": [0, 0, 1],
+      "directions": [[1, 0, 0], [0, 1, 0], [1, 1, 0]], "curvatures": ["-1e-400", 0, 0] } ] })");
+  const Json report = Program::report(model, 0);
+  EXPECT_EQ(report["tasks"][0]["mean_curvature"]["sign"], -1);
+  EXPECT_EQ(report["tasks"][0]["mean_curvature"]["approx"], 0.0);
+  EXPECT_EQ(report.dump().find("-0.0"), std::string::npos) << report;
+}
+
+// A header line of a .ply file.
+bool has_line(const fs::path& file, const std::string& line)
+{
+  std::ifstream in(file, std::ios::binary);
+  for (std::string text; std::getline(in, text) && text != "end_header";)
+    if (text == line)
+      return true;
+  return false;
+}
+
+TEST_F(Program, meshes)
+{
+  const fs::path model = write("m.json", R"json({
+    "surfaces": {
+      "sphere": { "kind": "implicit", "f": "x^2+y^2+z^2-1" },
+      "double": { "kind": "implicit", "f": "(x^2+y^2+z^2-1)^2" },
+      "pole": { "kind": "implicit", "f": "1/a+b", "variables": ["a", "b", "c"] },
+      "saddle": { "kind": "bezier", "control_points": [[[0,0,0], [0,1,1]], [[1,0,1], [1,1,0]]] },
+      "root": { "kind": "bezier",
+                "control_points": [[[0,0,0], [0,1,1]], [[1,0,1], [1,1,"sqrt(2)"]]] } },
+    "tasks": [
+      { "task": "mesh", "surface": "sphere", "file": "s.ply", "edge_length": "1/2",
+        "tolerance": "1/10", "box": [[-2,2],[-2,2],[-2,2]], "colour": "kmax",
+        "number_type": "double" },
+      { "task": "mesh", "surface": "saddle", "file": "p.ply", "edge_length": "1/2",
+        "number_type": "filtered", "colour": "gaussian_curvature" },
+      { "task": "mesh", "surface": "sphere", "file": "n.ply", "edge_length": "1/2",
+        "box": [[2,3],[2,3],[2,3]] },
+      { "task": "mesh", "surface": "double", "file": "d.ply", "edge_length": "1/2",
+        "box": [[-1,1],[-1,1],[-1,1]] },
+      { "task": "mesh", "surface": "pole", "file": "o.ply", "edge_length": "1/2",
+        "box": [[-1,1],[-1,1],[-1,1]] },
+      { "task": "mesh", "surface": "root", "file": "r.ply", "edge_length": "1/2" },
+      { "task": "mesh", "surface": "saddle", "file": "l.ply", "edge_length": "1/100",
+        "max_vertices": 50 },
+      { "task": "mesh", "surface": "saddle", "file": "e.ply", "edge_length": "1/2",
+        "number_type": "exact" } ] })json");
+  const Json t = report(model, 1)["tasks"];
+  for (int i = 0; i < 2; ++i)
+  {
+    EXPECT_EQ(t[i]["status"], "ok") << t[i];
+    EXPECT_EQ(t[i]["number_type"], i == 0 ? "double" : "filtered");
+    EXPECT_EQ(t[i]["unmeasured_samples"], 0);
+    EXPECT_EQ(t[i]["max_face_distance"]["certified"], true);
+    EXPECT_GT(t[i]["faces"], 4);
+  }
+  EXPECT_EQ(t[0]["colour"]["property"], "kmax");
+  EXPECT_NEAR(t[0]["colour"]["range"]["approx"], 1, 1e-9);
+  EXPECT_NEAR(t[1]["colour"]["range"]["approx"], 4, 3); // K = -4 at the middle
+  EXPECT_TRUE(has_line(m_directory / "out/s.ply", "property uchar red"));
+  EXPECT_TRUE(has_line(m_directory / "out/p.ply", "property uchar red"));
+  const char* const reasons[][2] = {{"not_on_surface", "nothing was found in the box"},
+                                    {"not_on_surface", "nothing was found in the box"},
+                                    {"pole", "zero at this point: a"},
+                                    {"not_algebraic", "a control point of root"},
+                                    {"limit_exceeded", "more vertices"},
+                                    {"unsupported", "it is made in \"filtered\""}};
+  for (int i = 0; i < 6; ++i)
+  {
+    const Json& reason = t[i + 2]["reason"];
+    EXPECT_EQ(reason["code"], reasons[i][0]) << t[i + 2];
+    EXPECT_NE(reason["text"].get<std::string>().find(reasons[i][1]), std::string::npos) << reason;
+    EXPECT_FALSE(t[i + 2].contains("file"));
+  }
+}
+
+TEST_F(Program, no_byte_0_in_a_model)
+{
+  const std::string text("{\"tasks\":[]}\0{", 15);
+  expect_unusable("'" + write("m.json", text).string() + "'", "byte 0");
 }
 
 } // namespace

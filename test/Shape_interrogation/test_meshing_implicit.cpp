@@ -29,7 +29,8 @@ struct Test_function
 {
   enum Kind
   {
-    SPHERE, TORUS, TWO_SPHERES, PLANE, HYPERBOLOID, CONE, CATENOID, NOTHING, ROOT, SQUARE
+    SPHERE, TORUS, TWO_SPHERES, PLANE, HYPERBOLOID, CONE, CATENOID, NOTHING, ROOT, SQUARE,
+    EXPANDED_SQUARE, CROSSING_PLANES
   };
 
   Kind kind;
@@ -54,6 +55,9 @@ struct Test_function
         return r2 - square((e + NT(1) / e) / NT(2));
       }
       case SQUARE: return square(r2 + z * z - NT(1));
+      case EXPANDED_SQUARE: // near the sphere its values are rounding errors of both signs
+        return square(r2) + square(z * z) + NT(2) * r2 * z * z - NT(2) * r2 - NT(2) * z * z + NT(1);
+      case CROSSING_PLANES: return x * y;
       case ROOT: return Elementary_functions<NT>::sqrt(x);
       default: return r2 + z * z + NT(1);
     }
@@ -215,6 +219,44 @@ TEST(Mesh_implicit, Singular_point_makes_the_distance_uncertified)
   EXPECT_GT(mesh->report.faces, 50u);
 }
 
+TEST(Mesh_implicit, Singular_curve_ends_without_a_manifold)
+{
+  const Shape_mesh mesh = meshed(Test_function::CROSSING_PLANES, 1, coarse(0.5, 0.1));
+  const Mesh_report& report = mesh.report;
+  EXPECT_FALSE(report.manifold);
+  EXPECT_FALSE(report.face_distance_certified);
+  EXPECT_GT(report.faces, 50u);
+  EXPECT_LT(report.vertices, 5000u);
+  for (const auto f : mesh.surface_mesh.faces())
+  {
+    double farthest = 0; // the smaller coordinate is the distance of a corner
+    for (const Vertex v : mesh.surface_mesh.vertices_around_face(mesh.surface_mesh.halfedge(f)))
+    {
+      const auto& p = mesh.surface_mesh.point(v);
+      farthest = (std::max)(farthest, (std::min)(std::abs(p.x()), std::abs(p.y())));
+    }
+    EXPECT_LE(farthest, 1e-6);
+  }
+}
+
+TEST(Mesh_implicit, What_has_no_way_to_the_surface_is_not_measured_as_zero)
+{
+  const auto positive = [](const auto& q) {
+    return std::array<double, 4>{q[0] * q[0] + 1, 2 * q[0], 0, 0};
+  };
+  for (const double x : {0.0, 0.3}) // the gradient is zero; the steps run to and fro
+  {
+    Coordinates<double, 3> p{x, 0, 0};
+    EXPECT_FALSE(internal::slide_to_surface(positive, p, 1.0));
+  }
+  Coordinates<double, 3> p{1, 0, 0};
+  const auto square = [](const auto& q) {
+    return std::array<double, 4>{q[0] * q[0], 2 * q[0], 0, 0};
+  };
+  EXPECT_TRUE(internal::slide_to_surface(square, p, 1.0)); // slow, but there it is
+  EXPECT_LT(std::abs(p[0]), 1e-5);
+}
+
 TEST(Mesh_implicit, What_has_no_mesh_is_refused)
 {
   const auto code = [](Test_function::Kind kind, const Bbox_3& box,
@@ -226,11 +268,17 @@ TEST(Mesh_implicit, What_has_no_mesh_is_refused)
   Implicit_mesh_options options = coarse(0.1, 0.01);
   EXPECT_EQ(code(Test_function::NOTHING, cube(1), options), Refusal_code::NOT_ON_SURFACE);
   EXPECT_EQ(code(Test_function::SQUARE, cube(1), options), Refusal_code::NOT_ON_SURFACE);
+  EXPECT_EQ(code(Test_function::SQUARE, cube(1.3), options), Refusal_code::NOT_ON_SURFACE);
+  EXPECT_EQ(code(Test_function::EXPANDED_SQUARE, cube(1), options), Refusal_code::NOT_ON_SURFACE);
+  EXPECT_EQ(code(Test_function::SPHERE, Bbox_3(3, 3, 3, 4, 4, 4), options),
+            Refusal_code::NOT_ON_SURFACE);
   EXPECT_EQ(code(Test_function::ROOT, cube(1), options), Refusal_code::OUTSIDE_DOMAIN);
   EXPECT_EQ(code(Test_function::SPHERE, Bbox_3(0, 0, 0, 0, 1, 1), options),
             Refusal_code::OUTSIDE_DOMAIN);
   EXPECT_EQ(code(Test_function::SPHERE, Bbox_3(), options), Refusal_code::OUTSIDE_DOMAIN);
   EXPECT_EQ(code(Test_function::TORUS, cube(1e200), options), Refusal_code::LIMIT_EXCEEDED);
+  EXPECT_EQ(code(Test_function::SPHERE, cube(1.5), coarse(1e-100, 0.01)),
+            Refusal_code::LIMIT_EXCEEDED);
   options.max_vertices = 200;
   EXPECT_EQ(code(Test_function::SPHERE, cube(1.5), options), Refusal_code::LIMIT_EXCEEDED);
 }

@@ -155,10 +155,37 @@ TEST(Number_cast, interval_of_rational_is_tight)
 TEST(Number_cast, wide_integers)
 {
   const long wide = (1l << 53) + 1;
-  const Interval x = number_cast<Interval>(wide);
-  EXPECT_FALSE(x.is_point());
-  EXPECT_TRUE(contains(x, Q(wide)));
-  EXPECT_TRUE(number_cast<Interval>(7).is_point());
+  for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD})
+  {
+    const Rounding rounding(mode);
+    const Interval x = number_cast<Interval>(wide), y = number_cast<Interval>(-wide);
+    EXPECT_FALSE(x.is_point());
+    EXPECT_TRUE(contains(x, Q(wide)));
+    EXPECT_TRUE(contains(y, Q(-wide)));
+    EXPECT_TRUE(contains(number_cast<Interval>(static_cast<unsigned long long>(wide)), Q(wide)));
+    EXPECT_TRUE(number_cast<Interval>(7).is_point());
+  }
+}
+
+template <class Integer>
+void expect_exact(Integer x, const Q& value)
+{
+  EXPECT_EQ(number_cast<Q>(x), value);
+  EXPECT_EQ(Field(x), Field(value));
+  EXPECT_EQ(Field(Q(1), Q(1), Q(2)) * x, Field(value, value, Q(2))) << "without a cast";
+}
+
+TEST(Number_cast, every_built_in_integer)
+{
+  const Q two_to_63 = power_of_two(63);
+  expect_exact(std::numeric_limits<long long>::min(), Q(-two_to_63));
+  expect_exact(std::numeric_limits<long long>::max(), Q(two_to_63 - 1));
+  expect_exact(std::numeric_limits<unsigned long long>::max(), Q(2 * two_to_63 - 1));
+  expect_exact(-((1ll << 53) + 1), Q(-power_of_two(53) - 1));
+  expect_exact(std::size_t(5000000000), Q(Q(50000) * 100000));
+  expect_exact(std::numeric_limits<unsigned>::max(), Q(power_of_two(32) - 1));
+  expect_exact(std::numeric_limits<int>::min(), Q(-power_of_two(31)));
+  expect_exact(short(-7), Q(-7));
 }
 
 TEST(Number_cast, exact_reals)
@@ -182,6 +209,22 @@ TEST(Number_cast, middle_of_an_interval)
 {
   EXPECT_EQ(number_cast<double>(Interval(1, 3)), 2);
   EXPECT_EQ(number_cast<double>(Interval(-1, 1)), 0);
+  EXPECT_EQ(number_cast<double>(Interval(smallest)), smallest);
+  EXPECT_EQ(number_cast<double>(Interval(largest)), largest);
+}
+
+TEST(Number_cast, middle_of_the_widest_intervals)
+{
+  for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
+  {
+    const Rounding rounding(mode);
+    EXPECT_EQ(number_cast<double>(Interval::largest()), 0);
+    EXPECT_EQ(number_cast<double>(Interval(-largest, largest)), 0);
+    EXPECT_EQ(number_cast<double>(Interval(0, infinity)), largest / 2);
+    EXPECT_EQ(number_cast<double>(Interval(-infinity, 0)), -largest / 2);
+    EXPECT_LE(number_cast<double>(Interval(1, std::nextafter(1, 2))), std::nextafter(1, 2));
+    EXPECT_NEAR(number_cast<double>(Interval(-1e308, 1.5e308)), 0.25e308, 1e293);
+  }
 }
 
 TEST(Number_cast, whole_arguments)

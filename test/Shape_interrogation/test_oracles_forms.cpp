@@ -44,22 +44,27 @@ void try_to_decide(Count& count, Decision decision)
   catch (const CGAL::Uncertain_conversion_exception&) { count.decide(false); }
 }
 
-// The number types in which each case is run.
-struct Counts
+// Runs all cases of a kind in all number types.
+template <class Kind>
+void run_kind(int number)
 {
-  Count approximate, filtered, interval, real, exact;
-
-  explicit Counts(const std::string& kind)
-    : approximate(kind, "double"), filtered(kind, "filtered"), interval(kind, "intervals"),
-      real(kind, "exact reals"), exact(kind, "exact rationals")
-  {}
-
-  void expect_visited(int cases) const
+  Counts counts(Kind::name);
+  for (const Case& c : cases(Kind::name))
   {
-    for (const Count* count : {&approximate, &filtered, &interval, &real, &exact})
-      EXPECT_EQ(count->visited(), cases);
+    SCOPED_TRACE(c.id);
+    EXPECT_FALSE(c.is_refused());
+    counts.exact.run();
+    Kind::template run<Q>(c);
+    counts.one_root.run();
+    Kind::template run<Quadratic_field>(c);
+    counts.real.run();
+    Kind::template run<Real>(c);
+    counts.filtered.run();
+    Kind::run_filtered(c);
+    Kind::run_numerically(c, counts);
   }
-};
+  counts.expect_visited(number);
+}
 
 // --- Three tangents ------------------------------------------------------------------------------
 
@@ -170,26 +175,27 @@ void run_three_tangents_numerically(const Case& c, Counts& counts)
   expect_near(near->n, enclosed->n, number_cast<Real>(truth.n), "N", counts.approximate);
 }
 
-TEST(Oracles_three_tangents, all_number_types)
+struct Three_tangents
 {
-  Counts counts("three_tangents");
-  for (const Case& c : cases("three_tangents"))
+  static constexpr const char* name = "three_tangents";
+
+  template <class NT>
+  static void run(const Case& c) { run_three_tangents<NT>(c); }
+  static void run_filtered(const Case& c)
   {
-    SCOPED_TRACE(c.id);
-    counts.exact.run();
-    run_three_tangents<Q>(c);
-    counts.real.run();
-    run_three_tangents<Real>(c);
-    counts.filtered.run();
     EXPECT_EQ(Filtered<Decide_determined>()(tangents<Q>(c)), c.expected.flag("determined"));
+  }
+  static void run_numerically(const Case& c, Counts& counts)
+  {
     run_three_tangents_numerically(c, counts);
   }
-  counts.expect_visited(4);
-}
+};
+
+TEST(Oracles_three_tangents, all_number_types) { run_kind<Three_tangents>(4); }
 
 // --- Asymptotic directions -----------------------------------------------------------------------
 
-const char* name(Asymptotic_type type)
+const char* name_of(Asymptotic_type type)
 {
   static const char* const names[] = {"real_distinct", "real_double", "complex", "all"};
   return names[static_cast<int>(type)];
@@ -258,7 +264,7 @@ void run_asymptotic(const Case& c)
 {
   const Fundamental_forms<NT> forms{form<NT>(c.inputs, "I"), form<NT>(c.inputs, "II1")};
   const auto a = asymptotic_directions(forms.second);
-  EXPECT_EQ(name(a.type), c.expected.text("type"));
+  EXPECT_EQ(name_of(a.type), c.expected.text("type"));
   EXPECT_EQ(a.discriminant, number<NT>(c.expected.text("discriminant")));
   expect_directions(a, c.expected.texts("directions"));
   if (c.expected.has("asymptotic_directions_isotropic"))
@@ -287,38 +293,39 @@ void run_asymptotic_numerically(const Case& c, Counts& counts)
     const Interval::Protector protector;
     const auto second = form<Interval>(c.inputs, "II1");
     discriminant = -second.determinant();
-    EXPECT_EQ(name(asymptotic_directions(second).type), c.expected.text("type"));
+    EXPECT_EQ(name_of(asymptotic_directions(second).type), c.expected.text("type"));
   });
   EXPECT_TRUE(contains(discriminant, number<Q>(c.expected.text("discriminant"))));
   if (!CGAL::certainly(discriminant == 0) && CGAL::possibly(discriminant == 0))
     return counts.approximate.skip(c.id,
                                    "ill conditioned, the interval does not decide the type");
   counts.approximate.run();
-  EXPECT_EQ(name(asymptotic_directions(form<double>(c.inputs, "II1")).type),
+  EXPECT_EQ(name_of(asymptotic_directions(form<double>(c.inputs, "II1")).type),
             c.expected.text("type"));
 }
 
-TEST(Oracles_asymptotic, all_number_types)
+struct Asymptotic
 {
-  Counts counts("asymptotic");
-  for (const Case& c : cases("asymptotic"))
+  static constexpr const char* name = "asymptotic";
+
+  template <class NT>
+  static void run(const Case& c) { run_asymptotic<NT>(c); }
+  static void run_filtered(const Case& c)
   {
-    SCOPED_TRACE(c.id);
-    counts.exact.run();
-    run_asymptotic<Q>(c);
-    counts.real.run();
-    run_asymptotic<Real>(c);
-    counts.filtered.run();
     const auto second = numbers<Q>(c.inputs.texts("II1"));
-    EXPECT_EQ(name(Filtered<Decide_asymptotic_type>()(second)), c.expected.text("type"));
+    EXPECT_EQ(name_of(Filtered<Decide_asymptotic_type>()(second)), c.expected.text("type"));
+  }
+  static void run_numerically(const Case& c, Counts& counts)
+  {
     run_asymptotic_numerically(c, counts);
   }
-  counts.expect_visited(9);
-}
+};
+
+TEST(Oracles_asymptotic, all_number_types) { run_kind<Asymptotic>(9); }
 
 // --- Dupin's indicatrix --------------------------------------------------------------------------
 
-const char* name(Dupin_type type)
+const char* name_of(Dupin_type type)
 {
   static const char* const names[] = {"ellipse", "two conjugate hyperbolas", "two parallel lines",
                                       "empty"};
@@ -348,7 +355,7 @@ void run_dupin(const Case& c)
   const auto forms = dupin_forms<NT>(c);
   const auto d = dupin_indicatrix(forms);
   const Fields& e = c.expected;
-  EXPECT_EQ(name(d.type), e.text("type"));
+  EXPECT_EQ(name_of(d.type), e.text("type"));
   EXPECT_EQ(d.is_circle, e.flag("circle"));
   EXPECT_EQ(forms.gaussian_curvature(), number<NT>(e.text("K")));
   EXPECT_EQ(forms.mean_curvature(), number<NT>(e.text("mean_H")));
@@ -388,36 +395,37 @@ void run_dupin_numerically(const Case& c, Counts& counts)
     const auto forms = dupin_forms<Interval>(c);
     k = forms.gaussian_curvature();
     h = forms.mean_curvature();
-    EXPECT_EQ(name(dupin_indicatrix(forms).type), c.expected.text("type"));
+    EXPECT_EQ(name_of(dupin_indicatrix(forms).type), c.expected.text("type"));
   });
   const Fields& e = c.expected;
   EXPECT_TRUE(contains(k, number<Q>(e.text("K"))));
   EXPECT_TRUE(contains(h, number<Q>(e.text("mean_H"))));
   counts.approximate.run();
   const auto forms = dupin_forms<double>(c);
-  EXPECT_EQ(name(dupin_indicatrix(forms).type), e.text("type"));
+  EXPECT_EQ(name_of(dupin_indicatrix(forms).type), e.text("type"));
   expect_near(forms.gaussian_curvature(), k, number<Real>(e.text("K")), "K", counts.approximate);
   expect_near(forms.mean_curvature(), h, number<Real>(e.text("mean_H")), "H",
               counts.approximate);
 }
 
-TEST(Oracles_dupin, all_number_types)
+struct Dupin
 {
-  Counts counts("dupin");
-  for (const Case& c : cases("dupin"))
+  static constexpr const char* name = "dupin";
+
+  template <class NT>
+  static void run(const Case& c) { run_dupin<NT>(c); }
+  static void run_filtered(const Case& c)
   {
-    SCOPED_TRACE(c.id);
-    counts.exact.run();
-    run_dupin<Q>(c);
-    counts.real.run();
-    run_dupin<Real>(c);
-    counts.filtered.run();
-    EXPECT_EQ(name(Filtered<Decide_dupin_type>()(numbers<Q>(c.inputs.texts("I")),
-                                                 numbers<Q>(c.inputs.texts("II")))),
+    const Filtered<Decide_dupin_type> decide;
+    EXPECT_EQ(name_of(decide(numbers<Q>(c.inputs.texts("I")), numbers<Q>(c.inputs.texts("II")))),
               c.expected.text("type"));
+  }
+  static void run_numerically(const Case& c, Counts& counts)
+  {
     run_dupin_numerically(c, counts);
   }
-  counts.expect_visited(7);
-}
+};
+
+TEST(Oracles_dupin, all_number_types) { run_kind<Dupin>(7); }
 
 } // namespace

@@ -10,16 +10,15 @@
 // Hoffmann: Theorem 3, Corollary 5, and the table of the appendix.
 
 #include "oracle_ladder.h"
+#include "random_rationals.h"
 
 #include <CGAL/Shape_interrogation/Surfaces/N_space_cross_checks.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_surface_3.h>
 
-#include <cstdlib>
-#include <random>
-
 namespace {
 
 using namespace oracles;
+using testing_shapes::Random;
 
 N_space_surface_3 surface_of(const Case& c)
 {
@@ -29,20 +28,26 @@ N_space_surface_3 surface_of(const Case& c)
   return N_space_surface_3(N_space_system(c.inputs.texts("vars"), equations));
 }
 
-// Calls run(case, surface, point) with the point in the smallest exact field that has it.
-template <class Run>
-void for_each_case(Run run)
+struct System_cases
 {
-  for (const Case& c : cases("nspace_curvature"))
+  static constexpr const char* name = "nspace_curvature";
+  static constexpr int number = 32;
+
+  template <class Run>
+  static void for_each(Run run)
   {
-    SCOPED_TRACE(c.id);
-    const Texts& p = c.inputs.texts("point");
-    if (has_root(p))
-      run(c, surface_of(c), numbers<Quadratic_field>(p));
-    else
-      run(c, surface_of(c), numbers<Q>(p));
+    for (const Case& c : cases(name))
+    {
+      const Texts& p = c.inputs.texts("point");
+      if (has_root(p))
+        run(c, surface_of(c), numbers<Quadratic_field>(p));
+      else
+        run(c, surface_of(c), numbers<Q>(p));
+    }
   }
-}
+};
+
+INSTANTIATE_TYPED_TEST_SUITE_P(Oracles_nspace_curvature, Surface_cases, System_cases);
 
 template <class NT>
 Coordinates<NT, 3> projected(const std::vector<NT>& v)
@@ -71,7 +76,8 @@ void expect_direction(const Case& c, const Local_shape_3<NT>& s)
 TEST(Oracles_nspace_curvature, exact)
 {
   Count count("nspace_curvature", "exact rationals or one root");
-  for_each_case([&](const Case& c, const N_space_surface_3& surface, const auto& p) {
+  Surface_cases<System_cases>::visit(count, [&](const Case& c, const N_space_surface_3& surface,
+                                                const auto& p, auto) {
     count.run();
     EXPECT_EQ(surface.system().number_of_variables(), c.expected.integer("n"));
     EXPECT_EQ(surface.system().number_of_equations(), c.expected.integer("m"));
@@ -96,60 +102,20 @@ TEST(Oracles_nspace_curvature, exact)
     expect_block(s->shape, c.expected, false);
     expect_direction(c, s->shape);
   });
-  EXPECT_EQ(count.visited(), 32);
-}
-
-TEST(Oracles_nspace_curvature, interval)
-{
-  Count count("nspace_curvature", "intervals");
-  for_each_case([&](const Case& c, const N_space_surface_3& surface, const auto& p) {
-    run_interval<Number_of<std::decay_t<decltype(p)>>>(c, surface, p, count);
-  });
-  EXPECT_EQ(count.visited(), 32);
-  EXPECT_GT(count.decided(), count.undecided());
-}
-
-TEST(Oracles_nspace_curvature, approximate)
-{
-  Count count("nspace_curvature", "double");
-  for_each_case([&](const Case& c, const N_space_surface_3& surface, const auto& p) {
-    run_double<Number_of<std::decay_t<decltype(p)>>>(c, surface, p, count);
-  });
-  EXPECT_EQ(count.visited(), 32);
-}
-
-TEST(Oracles_nspace_curvature, filtered)
-{
-  Count count("nspace_curvature", "filtered");
-  for_each_case([&](const Case& c, const N_space_surface_3& surface, const auto& p) {
-    run_filtered<Number_of<std::decay_t<decltype(p)>>>(c, surface, p, count);
-  });
-  EXPECT_EQ(count.visited(), 32);
-  EXPECT_EQ(count.undecided(), 0);
-}
-
-TEST(Oracles_nspace_curvature, exact_real)
-{
-  Count count("nspace_curvature", "exact reals");
-  for_each_case([&](const Case& c, const N_space_surface_3& surface, const auto& p) {
-    run_real(c, surface, p, count);
-  });
-  EXPECT_EQ(count.visited(), 32);
 }
 
 // --- Theorem 3 and Corollary 5 -------------------------------------------------------------------
 
 // The three ways to one normal curvature, in random tangent directions.
 template <class NT>
-void expect_agreement(const N_space_surface_3& surface, const std::vector<NT>& p,
-                      std::mt19937& random)
+void expect_agreement(const N_space_surface_3& surface, const std::vector<NT>& p, Random& random)
 {
   const auto s = surface.shape(p);
   ASSERT_TRUE(s) << s.refusal().evidence();
   const Combined_hessian<NT> hessian(surface.system(), p, s->multipliers);
   for (int round = 0; round < 3; ++round)
   {
-    const NT a(int(random() % 19) - 9), b(int(random() % 9) + 1);
+    const NT a(random.integer(-9, 9)), b(random.integer(1, 9));
     std::vector<NT> v;
     for (std::size_t i = 0; i < p.size(); ++i)
       v.push_back(NT(a * s->tangent_basis[0][i] + b * s->tangent_basis[1][i]));
@@ -169,11 +135,12 @@ void expect_agreement(const N_space_surface_3& surface, const std::vector<NT>& p
 
 TEST(N_space_cross_checks, agree_on_all_oracles)
 {
-  std::mt19937 random(4711);
+  Random random(4711);
   int checked = 0;
-  for_each_case([&](const Case& c, const N_space_surface_3& surface, const auto& p) {
+  System_cases::for_each([&](const Case& c, const N_space_surface_3& surface, const auto& p) {
     if (c.is_refused())
       return;
+    SCOPED_TRACE(c.id);
     ++checked;
     expect_agreement(surface, p, random);
   });
@@ -196,6 +163,91 @@ TEST(N_space_cross_checks, refusals)
   const auto skew = normal_curvature_by_shape_operators(surface.system(), p, v);
   ASSERT_FALSE(skew);
   EXPECT_EQ(skew.refusal().code(), Refusal_code::NOT_TANGENT);
+}
+
+// --- Systems with an order of elimination and an orientation of their own ------------------------
+
+TEST(N_space_system, order_of_elimination_chosen_once_gives_the_same)
+{
+  int prepared = 0;
+  System_cases::for_each([&](const Case& c, const N_space_surface_3& surface, const auto& p) {
+    SCOPED_TRACE(c.id);
+    N_space_system system = surface.system();
+    const bool has_rank = c.expected.integer("rank_J") == c.expected.integer("n") - 2;
+    EXPECT_EQ(system.prepare(p), has_rank);
+    prepared += has_rank;
+    const auto s = N_space_surface_3(system)(p);
+    if (c.is_refused())
+      return expect_refusal(s, c.expected);
+    ASSERT_TRUE(s) << s.refusal().evidence();
+    expect_block(*s, c.expected, false);
+  });
+  EXPECT_GE(prepared, 24);
+}
+
+TEST(N_space_system, order_of_another_point_gives_the_same)
+{
+  // The gradients at the sample have their pivots elsewhere, or vanish at the point.
+  const std::vector<std::string> names{"x", "y", "z", "u", "v"};
+  std::vector<Expression> equations;
+  for (const char* f : {"x*u + y*v - 1", "u^2 + v^2 - x^2 - y^2", "z - u*v"})
+    equations.push_back(parse_expression(f, names));
+  const std::vector<std::vector<Q>> points{{Q(1), Q(0), Q(0), Q(1), Q(0)},
+                                           {Q(0), Q(1), Q(0), Q(0), Q(1)},
+                                           {Q(0), Q(-1), Q(0), Q(0), Q(-1)}};
+  const N_space_surface_3 plain(N_space_system(names, equations));
+  for (const auto& sample : points)
+  {
+    N_space_system system(names, equations);
+    EXPECT_TRUE(system.prepare(sample));
+    for (const auto& p : points)
+    {
+      const auto s = plain(p), t = N_space_surface_3(system)(p);
+      ASSERT_TRUE(s && t) << (t ? s : t).refusal().evidence();
+      EXPECT_EQ(gaussian_curvature(*s), gaussian_curvature(*t));
+      EXPECT_EQ(squared_mean_curvature(*s), squared_mean_curvature(*t));
+      EXPECT_EQ(sign_of_mean_curvature(*s), sign_of_mean_curvature(*t));
+      EXPECT_TRUE(CGAL::is_zero(internal::cross(s->normal(), t->normal())[2]));
+    }
+  }
+}
+
+TEST(N_space_system, point_with_other_coordinates_than_variables_is_refused)
+{
+  System_cases::for_each([&](const Case& c, const N_space_surface_3& surface, auto p) {
+    SCOPED_TRACE(c.id);
+    N_space_system system = surface.system();
+    p.pop_back();
+    EXPECT_FALSE(system.prepare(p));
+    const auto s = surface(p);
+    ASSERT_FALSE(s);
+    EXPECT_EQ(s.refusal().code(), Refusal_code::NOT_ON_SOLUTION);
+  });
+}
+
+TEST(N_space_system, orientation_chooses_the_normal)
+{
+  int checked = 0;
+  System_cases::for_each([&](const Case& c, const N_space_surface_3& surface, const auto& p) {
+    if (c.is_refused() || has_root(c.expected.texts("N")))
+      return;
+    SCOPED_TRACE(c.id);
+    ++checked;
+    for (const int sign : {1, -1})
+    {
+      auto direction = point<Q, 3>(c.expected.texts("N"));
+      for (Q& x : direction)
+        x *= sign;
+      N_space_system system = surface.system();
+      system.set_orientation(direction);
+      const auto s = N_space_surface_3(system)(p);
+      ASSERT_TRUE(s) << s.refusal().evidence();
+      EXPECT_EQ(int(sign_of_mean_curvature(*s)), sign * c.expected.integer("sign_H"));
+      for (int i = 0; i < 3; ++i)
+        EXPECT_EQ(int(CGAL::sign(s->normal()[i])), int(CGAL::sign(direction[i])));
+    }
+  });
+  EXPECT_GE(checked, 20);
 }
 
 // --- The table of the appendix -------------------------------------------------------------------

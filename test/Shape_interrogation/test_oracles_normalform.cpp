@@ -10,14 +10,12 @@
 // curvatures, by cases and without, and in the plane.
 
 #include "oracle_ladder.h"
+#include "oracle_surfaces.h"
 
 #include <CGAL/Shape_interrogation/Analysis/hessian_by_cases.h>
 #include <CGAL/Shape_interrogation/Analysis/shape_from_normal_curvatures.h>
 #include <CGAL/Shape_interrogation/Curves/Implicit_curve_2.h>
 #include <CGAL/Shape_interrogation/Curves/Parametric_curve_2.h>
-#include <CGAL/Shape_interrogation/Differentiation/Expression_function.h>
-#include <CGAL/Shape_interrogation/Surfaces/Implicit_surface_3.h>
-#include <CGAL/Shape_interrogation/Surfaces/Parametric_surface_3.h>
 
 namespace {
 
@@ -144,20 +142,6 @@ void expect_cases_agree(const Local_shape_3<NT>& s, const Case& c)
     }
 }
 
-Implicit_surface_3<Expression_function<3>> implicit(const Case& c)
-{
-  return Implicit_surface_3(
-    Expression_function<3>(parse_expression(c.inputs.text("f"), c.inputs.texts("vars"))));
-}
-
-Parametric_surface_3<Expression_function<2, 3>> parametric(const Case& c)
-{
-  std::vector<Expression> s;
-  for (const std::string& x : c.inputs.texts("S"))
-    s.push_back(parse_expression(x, c.inputs.texts("params")));
-  return Parametric_surface_3(Expression_function<2, 3>(s));
-}
-
 template <class NT>
 Result<Local_shape_3<NT>> surface_shape(const Case& c)
 {
@@ -183,26 +167,30 @@ TEST(Oracles_normalform_hessian, exact)
     const auto s = surface_shape<Q>(c);
     ASSERT_TRUE(s) << s.refusal().evidence();
     expect_block(*s, c.expected, true);
+    if (c.inputs.text("form") == "parametric")
+    {
+      EXPECT_EQ(s->point(), (point<Q, 3>(c.expected.texts("point"))));
+      expect_forms(parametric(c).derivatives(point<Q, 2>(c.inputs.texts("at"))), c.expected);
+    }
     // The unit normal has the root of q.
     expect_cases_agree(s->cast<Quadratic_field>(), c);
   }
   EXPECT_EQ(count.visited(), 19);
 }
 
-TEST(Oracles_normalform_hessian, exact_real)
+TEST(Oracles_normalform_hessian, cases_of_surfaces_in_exact_reals)
 {
-  Count count("normalform_hessian", "exact reals");
+  int checked = 0;
   for (const Case& c : cases("normalform_hessian"))
-  {
-    SCOPED_TRACE(c.id);
-    count.run();
-    const auto s = is_from_curvatures(c) ? Input<Real>(c.inputs).shape() : surface_shape<Real>(c);
-    ASSERT_TRUE(s) << s.refusal().evidence();
-    expect_decisions(*s, c.expected);
     if (!is_from_curvatures(c))
+    {
+      SCOPED_TRACE(c.id);
+      ++checked;
+      const auto s = surface_shape<Real>(c);
+      ASSERT_TRUE(s) << s.refusal().evidence();
       expect_cases_agree(*s, c);
-  }
-  EXPECT_EQ(count.visited(), 19);
+    }
+  EXPECT_EQ(checked, 8);
 }
 
 // A case as something that is called with numbers of any type: the input is the query.
@@ -228,49 +216,25 @@ std::vector<Q> query(const Case& c)
   return numbers<Q>(texts);
 }
 
-// Calls run(case, source, query) whatever the form of the case is.
-template <class Run>
-void for_each_source(Run run)
+struct Normalform_cases
 {
-  for (const Case& c : cases("normalform_hessian"))
+  static constexpr const char* name = "normalform_hessian";
+  static constexpr int number = 19;
+
+  template <class Run>
+  static void for_each(Run run)
   {
-    SCOPED_TRACE(c.id);
-    if (is_from_curvatures(c))
-      run(c, From_curvatures(), query(c));
-    else if (c.inputs.text("form") == "implicit")
-      run(c, implicit(c), point<Q, 3>(c.inputs.texts("point")));
-    else
-      run(c, parametric(c), point<Q, 2>(c.inputs.texts("at")));
+    for (const Case& c : cases(name))
+      if (is_from_curvatures(c))
+        run(c, From_curvatures(), query(c));
+      else if (c.inputs.text("form") == "implicit")
+        run(c, implicit(c), point<Q, 3>(c.inputs.texts("point")));
+      else
+        run(c, parametric(c), point<Q, 2>(c.inputs.texts("at")));
   }
-}
+};
 
-TEST(Oracles_normalform_hessian, interval)
-{
-  Count count("normalform_hessian", "intervals");
-  for_each_source([&](const Case& c, const auto& source, const auto& at) {
-    run_interval<Q>(c, source, at, count);
-  });
-  EXPECT_EQ(count.visited(), 19);
-}
-
-TEST(Oracles_normalform_hessian, approximate)
-{
-  Count count("normalform_hessian", "double");
-  for_each_source([&](const Case& c, const auto& source, const auto& at) {
-    run_double<Q>(c, source, at, count);
-  });
-  EXPECT_EQ(count.visited(), 19);
-}
-
-TEST(Oracles_normalform_hessian, filtered)
-{
-  Count count("normalform_hessian", "filtered");
-  for_each_source([&](const Case& c, const auto& source, const auto& at) {
-    run_filtered<Q>(c, source, at, count);
-  });
-  EXPECT_EQ(count.visited(), 19);
-  EXPECT_EQ(count.undecided(), 0);
-}
+INSTANTIATE_TYPED_TEST_SUITE_P(Oracles_normalform_hessian, Surface_cases, Normalform_cases);
 
 // The formulas for the generic case lose their digits near a vanishing component, and the interval
 // tells so; their result still contains the truth.
@@ -349,6 +313,18 @@ void expect_curve(const Local_shape_2<NT>& s, const Fields& e)
   }
 }
 
+// Computes the shape in NT, and what has roots in Field.
+template <class NT, class Field>
+void run_curve(const Case& c, Count& count)
+{
+  count.run();
+  const auto s = curve_shape<NT>(c);
+  if (c.is_refused())
+    return expect_refusal(s, c.expected);
+  ASSERT_TRUE(s) << s.refusal().evidence();
+  expect_curve(s->template cast<Field>(), c.expected);
+}
+
 void run_curve_in_intervals(const Case& c, Count& interval, Count& approximate)
 {
   interval.run();
@@ -409,32 +385,18 @@ void run_curve_filtered(const Case& c, Count& count)
 
 TEST(Oracles_curve_normalform, all_number_types)
 {
-  Count approximate("curve_normalform", "double"), filtered("curve_normalform", "filtered"),
-    interval("curve_normalform", "intervals"), real("curve_normalform", "exact reals"),
-    exact("curve_normalform", "exact rationals or one root");
+  Counts counts("curve_normalform");
   for (const Case& c : cases("curve_normalform"))
   {
     SCOPED_TRACE(c.id);
-    exact.run();
-    real.run();
-    const auto s = curve_shape<Q>(c);
-    const auto r = curve_shape<Real>(c);
-    if (c.is_refused())
-    {
-      expect_refusal(s, c.expected);
-      expect_refusal(r, c.expected);
-    }
-    else
-    {
-      ASSERT_TRUE(s && r);
-      expect_curve(s->cast<Quadratic_field>(), c.expected);
-      expect_curve(*r, c.expected);
-    }
-    run_curve_in_intervals(c, interval, approximate);
-    run_curve_filtered(c, filtered);
+    // The curvature has the root of q, which no rational is; the shape has none.
+    run_curve<Q, Quadratic_field>(c, counts.exact);
+    run_curve<Quadratic_field, Quadratic_field>(c, counts.one_root);
+    run_curve<Real, Real>(c, counts.real);
+    run_curve_in_intervals(c, counts.interval, counts.approximate);
+    run_curve_filtered(c, counts.filtered);
   }
-  for (const Count* count : {&exact, &real, &interval, &filtered, &approximate})
-    EXPECT_EQ(count->visited(), 4);
+  counts.expect_visited(4);
 }
 
 } // namespace

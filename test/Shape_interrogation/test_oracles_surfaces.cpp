@@ -9,81 +9,64 @@
 // The exact cases of implicit and parametric surfaces in every number type.
 
 #include "oracle_ladder.h"
-
-#include <CGAL/Shape_interrogation/Differentiation/Expression_function.h>
-#include <CGAL/Shape_interrogation/Surfaces/Implicit_surface_3.h>
-#include <CGAL/Shape_interrogation/Surfaces/Parametric_surface_3.h>
+#include "oracle_surfaces.h"
 
 namespace {
 
 using namespace oracles;
 
-using Implicit = Implicit_surface_3<Expression_function<3>>;
-using Parametric = Parametric_surface_3<Expression_function<2, 3>>;
-
-Implicit implicit(const Case& c)
+struct Implicit_cases
 {
-  return Implicit(
-    Expression_function<3>(parse_expression(c.inputs.text("f"), c.inputs.texts("vars"))));
-}
+  static constexpr const char* name = "implicit_curvature";
+  static constexpr int number = 28;
 
-Parametric parametric(const Case& c)
-{
-  std::vector<Expression> s;
-  for (const std::string& x : c.inputs.texts("S"))
-    s.push_back(parse_expression(x, c.inputs.texts("params")));
-  return Parametric(Expression_function<2, 3>(s));
-}
-
-// A certified decision is about the level set of the point; whether that is the surface is asked
-// apart.
-struct Level_set
-{
-  Implicit surface;
-
-  template <class NT>
-  auto operator()(const Coordinates<NT, 3>& p) const
+  template <class Run>
+  static void for_each(Run run)
   {
-    return surface.level_set_shape(p);
+    for (const Case& c : cases(name))
+      run(c, implicit(c), point<Q, 3>(c.inputs.texts("point")));
   }
 };
 
-struct Is_on_surface
+struct Parametric_cases
 {
-  template <class NT>
-  auto operator()(const Implicit& surface, const Coordinates<NT, 3>& p) const
+  static constexpr const char* name = "parametric_curvature";
+  static constexpr int number = 16;
+
+  template <class Run>
+  static void for_each(Run run)
   {
-    return is_zero_decision(surface.function()(p[0], p[1], p[2]));
+    for (const Case& c : cases(name))
+      run(c, parametric(c), point<Q, 2>(c.inputs.texts("at")));
   }
 };
 
-// Calls run(case, surface, point) for all cases of both kinds.
-template <class Run>
-void for_each_implicit(Count& count, Run run)
+INSTANTIATE_TYPED_TEST_SUITE_P(Oracles_implicit_curvature, Surface_cases, Implicit_cases);
+INSTANTIATE_TYPED_TEST_SUITE_P(Oracles_parametric_curvature, Surface_cases, Parametric_cases);
+
+// The stages of the filter that are for doubles only.
+template <class Kind>
+void run_filtered_doubles()
 {
-  for (const Case& c : cases("implicit_curvature"))
-  {
-    SCOPED_TRACE(c.id);
-    run(c, implicit(c), point<Q, 3>(c.inputs.texts("point")));
-  }
-  EXPECT_EQ(count.visited(), 28);
+  Count count(Kind::name, "filtered, the query given in double");
+  Surface_cases<Kind>::visit(count, [&](const Case& c, const auto& surface, const auto& query,
+                                        const Q&) {
+    const auto d = cast_argument<double>(query);
+    if (cast_argument<Q>(d) != query)
+      return count.skip(c.id, "its numbers are no doubles");
+    run_filtered<Q>(c, surface, d, count);
+  });
+  EXPECT_EQ(count.undecided(), 0);
 }
 
-template <class Run>
-void for_each_parametric(Count& count, Run run)
-{
-  for (const Case& c : cases("parametric_curvature"))
-  {
-    SCOPED_TRACE(c.id);
-    run(c, parametric(c), point<Q, 2>(c.inputs.texts("at")));
-  }
-  EXPECT_EQ(count.visited(), 16);
-}
+TEST(Oracles_implicit_curvature, filtered_doubles) { run_filtered_doubles<Implicit_cases>(); }
+TEST(Oracles_parametric_curvature, filtered_doubles) { run_filtered_doubles<Parametric_cases>(); }
 
 TEST(Oracles_implicit_curvature, exact)
 {
   Count count("implicit_curvature", "exact rationals");
-  for_each_implicit(count, [&](const Case& c, const Implicit& surface, const auto& p) {
+  Surface_cases<Implicit_cases>::visit(count, [&](const Case& c, const Implicit& surface,
+                                                  const auto& p, const Q&) {
     count.run();
     const auto s = surface(p);
     if (c.is_refused())
@@ -108,77 +91,11 @@ TEST(Oracles_implicit_curvature, residual_off_the_surface)
   EXPECT_EQ(found, 1);
 }
 
-TEST(Oracles_implicit_curvature, interval)
-{
-  Count count("implicit_curvature", "intervals");
-  for_each_implicit(count, [&](const Case& c, const Implicit& surface, const auto& p) {
-    run_interval<Q>(c, surface, p, count);
-  });
-  EXPECT_GT(count.decided(), count.undecided());
-}
-
-TEST(Oracles_implicit_curvature, approximate)
-{
-  Count count("implicit_curvature", "double");
-  for_each_implicit(count, [&](const Case& c, const Implicit& surface, const auto& p) {
-    run_double<Q>(c, surface, p, count);
-  });
-}
-
-TEST(Oracles_implicit_curvature, filtered)
-{
-  Count count("implicit_curvature", "filtered");
-  for_each_implicit(count, [&](const Case& c, const Implicit& surface, const auto& p) {
-    const bool is_on = Filtered<Is_on_surface>()(surface, p);
-    EXPECT_EQ(is_on, !c.expected.has("residual"));
-    if (is_on)
-      run_filtered<Q>(c, Level_set{surface}, p, count);
-    else
-      count.run();
-  });
-  EXPECT_EQ(count.undecided(), 0);
-}
-
-TEST(Oracles_implicit_curvature, filtered_doubles)
-{
-  Count count("implicit_curvature", "filtered, the point given in double");
-  for_each_implicit(count, [&](const Case& c, const Implicit& surface, const auto& p) {
-    const auto d = cast_argument<double>(p);
-    if (cast_argument<Q>(d) != p)
-      return count.skip(c.id, "the point is not a double");
-    const bool is_on = Filtered<Is_on_surface>()(surface, d);
-    EXPECT_EQ(is_on, !c.expected.has("residual"));
-    run_filtered<Q>(c, Level_set{surface}, d, count);
-  });
-  EXPECT_EQ(count.undecided(), 0);
-}
-
-TEST(Oracles_implicit_curvature, exact_real)
-{
-  Count count("implicit_curvature", "exact reals");
-  for_each_implicit(count, [&](const Case& c, const Implicit& surface, const auto& p) {
-    run_real(c, surface, p, count);
-  });
-}
-
-// The first and second fundamental forms before they are combined.
-void expect_forms(const Surface_derivatives_3<Q>& d, const Fields& e)
-{
-  const auto n = internal::cross(d.u, d.v);
-  expect_equal(internal::dot(d.u, d.u), e, "E");
-  expect_equal(internal::dot(d.u, d.v), e, "F");
-  expect_equal(internal::dot(d.v, d.v), e, "G");
-  const Q l = internal::dot(n, d.uu), m = internal::dot(n, d.uv), k = internal::dot(n, d.vv);
-  expect_equal(l, e, "Lhat");
-  expect_equal(m, e, "Mhat");
-  expect_equal(k, e, "Nhat");
-  expect_equal(Q(l * k - m * m), e, "det_Lhat");
-}
-
 TEST(Oracles_parametric_curvature, exact)
 {
   Count count("parametric_curvature", "exact rationals");
-  for_each_parametric(count, [&](const Case& c, const Parametric& surface, const auto& uv) {
+  Surface_cases<Parametric_cases>::visit(count, [&](const Case& c, const Parametric& surface,
+                                                    const auto& uv, const Q&) {
     count.run();
     const auto s = surface(uv);
     const auto expected_point = point<Q, 3>(c.expected.texts("point"));
@@ -189,40 +106,6 @@ TEST(Oracles_parametric_curvature, exact)
     EXPECT_EQ(s->point(), expected_point);
     expect_forms(surface.derivatives(uv), c.expected);
     expect_block(*s, c.expected, true);
-  });
-}
-
-TEST(Oracles_parametric_curvature, interval)
-{
-  Count count("parametric_curvature", "intervals");
-  for_each_parametric(count, [&](const Case& c, const Parametric& surface, const auto& uv) {
-    run_interval<Q>(c, surface, uv, count);
-  });
-  EXPECT_GT(count.decided(), count.undecided());
-}
-
-TEST(Oracles_parametric_curvature, approximate)
-{
-  Count count("parametric_curvature", "double");
-  for_each_parametric(count, [&](const Case& c, const Parametric& surface, const auto& uv) {
-    run_double<Q>(c, surface, uv, count);
-  });
-}
-
-TEST(Oracles_parametric_curvature, filtered)
-{
-  Count count("parametric_curvature", "filtered");
-  for_each_parametric(count, [&](const Case& c, const Parametric& surface, const auto& uv) {
-    run_filtered<Q>(c, surface, uv, count);
-  });
-  EXPECT_EQ(count.undecided(), 0);
-}
-
-TEST(Oracles_parametric_curvature, exact_real)
-{
-  Count count("parametric_curvature", "exact reals");
-  for_each_parametric(count, [&](const Case& c, const Parametric& surface, const auto& uv) {
-    run_real(c, surface, uv, count);
   });
 }
 

@@ -9,6 +9,9 @@
 // Bezier and B-spline patches: against the parametric surface of the same map, against known
 // curvatures, from both sides of knots, and in all number types.
 
+#include "exact_checks.h"
+#include "random_rationals.h"
+
 #include <CGAL/Shape_interrogation/Analysis/curvatures.h>
 #include <CGAL/Shape_interrogation/Number_types/Filtered.h>
 #include <CGAL/Shape_interrogation/Number_types/Quadratic_field.h>
@@ -20,14 +23,11 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <random>
-#include <string>
 #include <vector>
 
 namespace {
 
-using namespace CGAL::Shape_interrogation;
-using Q = CGAL::Exact_rational;
+using namespace testing_shapes;
 using Interval = CGAL::Interval_nt<true>;
 using Shape = Local_shape_3<Q>;
 using Point = Coordinates<Q, 3>;
@@ -37,48 +37,30 @@ using Weights = std::vector<std::vector<Q>>;
 using Bezier = Bezier_surface_3<Q>;
 using Nurbs = Nurbs_surface_3<Q>;
 
-Q fraction(int a, int b)
+Parameters random_parameters(Random& random)
 {
-  Q x = Q(a) / Q(b);
-  return x;
+  return {random.in_unit_interval(), random.in_unit_interval()};
 }
 
-// Numbers from a fixed seed that a failing test prints.
-class Random
+// A graph-like net, so that places are regular nearly always.
+Points random_points(Random& random, int rows, int columns)
 {
-public:
-  explicit Random(unsigned seed) : m_trace(__FILE__, __LINE__, "seed " + std::to_string(seed)),
-                                   m_engine(seed) {}
+  const auto number = [&] { return random.fraction(-30, 30, 9); };
+  Points p(rows, std::vector<Point>(columns));
+  for (int i = 0; i < rows; ++i)
+    for (int j = 0; j < columns; ++j)
+      p[i][j] = {Q(Q(7 * i) + number() / 20), Q(Q(7 * j) + number() / 20), number()};
+  return p;
+}
 
-  int integer(int low, int high) { return std::uniform_int_distribution<int>(low, high)(m_engine); }
-  Q rational() { return fraction(integer(-30, 30), integer(1, 9)); }
-  Q in_unit_interval() { return fraction(integer(1, 96), 97); }
-  Q weight() { return fraction(integer(1, 12), integer(1, 5)); }
-  Parameters parameters() { return {in_unit_interval(), in_unit_interval()}; }
-
-  // A graph-like net, so that places are regular nearly always.
-  Points points(int rows, int columns)
-  {
-    Points p(rows, std::vector<Point>(columns));
-    for (int i = 0; i < rows; ++i)
-      for (int j = 0; j < columns; ++j)
-        p[i][j] = {Q(Q(7 * i) + rational() / 20), Q(Q(7 * j) + rational() / 20), rational()};
-    return p;
-  }
-
-  Weights weights(int rows, int columns)
-  {
-    Weights w(rows, std::vector<Q>(columns));
-    for (auto& row : w)
-      for (Q& x : row)
-        x = weight();
-    return w;
-  }
-
-private:
-  testing::ScopedTrace m_trace;
-  std::mt19937 m_engine;
-};
+Weights random_weights(Random& random, int rows, int columns)
+{
+  Weights w(rows, std::vector<Q>(columns));
+  for (auto& row : w)
+    for (Q& x : row)
+      x = random.fraction(1, 12, 5);
+  return w;
+}
 
 // The map of a Bezier patch, written with binomials and powers for any number type.
 struct Bernstein_map
@@ -126,54 +108,6 @@ struct Bernstein_map
   }
 };
 
-// The factor m with b = m a, which is 0 if there is none.
-Q factor(const Point& a, const Point& b)
-{
-  int d = 0;
-  while (d < 2 && a[d] == 0)
-    ++d;
-  if (a[d] == 0)
-    return Q(0);
-  const Q m = b[d] / a[d];
-  for (int i = 0; i < 3; ++i)
-    if (b[i] != m * a[i])
-      return Q(0);
-  return m;
-}
-
-// The same point, the same oriented normal and the same B for it: all of the second-order data.
-void expect_same_shape(const Shape& a, const Shape& b)
-{
-  for (int i = 0; i < 3; ++i)
-    EXPECT_EQ(a.point()[i], b.point()[i]);
-  const Q m = factor(a.normal(), b.normal());
-  EXPECT_GT(m, 0);
-  const auto x = a.shape_matrix(), y = b.shape_matrix();
-  for (int i = 0; i < 3; ++i)
-    for (int j = 0; j < 3; ++j)
-      EXPECT_EQ(Q(m * x(i, j)), y(i, j));
-  EXPECT_EQ(gaussian_curvature(a), gaussian_curvature(b));
-  EXPECT_EQ(squared_mean_curvature(a), squared_mean_curvature(b));
-  EXPECT_EQ(sign_of_mean_curvature(a), sign_of_mean_curvature(b));
-  EXPECT_EQ(squared_curvature_gap(a), squared_curvature_gap(b));
-}
-
-void expect_same_answer(const Result<Shape>& a, const Result<Shape>& b)
-{
-  ASSERT_EQ(a.has_value(), b.has_value());
-  if (a)
-    expect_same_shape(*a, *b);
-  else
-    EXPECT_EQ(a.refusal().code(), b.refusal().code());
-}
-
-template <class T>
-void expect_refusal(Refusal_code code, const Result<T>& result)
-{
-  ASSERT_FALSE(result.has_value());
-  EXPECT_EQ(code, result.refusal().code()) << result.refusal().evidence();
-}
-
 constexpr std::array<std::array<int, 2>, 9> bidegrees{
   {{1, 1}, {1, 2}, {2, 1}, {2, 2}, {3, 3}, {2, 3}, {4, 1}, {8, 1}, {2, 9}}};
 
@@ -217,14 +151,14 @@ TEST(Bezier_surface, agrees_with_the_parametric_surface_of_the_same_map)
   for (const auto& degree : bidegrees)
     for (bool rational : {false, true})
     {
-      const Points p = random.points(degree[0] + 1, degree[1] + 1);
-      const Weights w = rational ? random.weights(degree[0] + 1, degree[1] + 1) : Weights();
+      const Points p = random_points(random, degree[0] + 1, degree[1] + 1);
+      const Weights w = rational ? random_weights(random, degree[0] + 1, degree[1] + 1) : Weights();
       const Bezier patch(p, w);
       const Parametric_surface_3<Bernstein_map> map(Bernstein_map{p, w});
       EXPECT_EQ(rational, patch.is_rational());
       for (int k = 0; k < 4; ++k)
       {
-        const Parameters uv = random.parameters();
+        const Parameters uv = random_parameters(random);
         expect_same_answer(map(uv), patch(uv));
         const auto d = patch.derivatives(uv);
         ASSERT_TRUE(d);
@@ -261,7 +195,7 @@ TEST(Bezier_surface, reproduces_known_values)
                     {{Q(4), Q(2), Q(1)}, {Q(4), Q(3), Q(2)}, {Q(4), Q(4), Q(4)}}};
   Random random(20260102);
   for (int k = 0; k < 5; ++k)
-    EXPECT_EQ(sign_of_gaussian_curvature(*Bezier(cone)(random.parameters())), CGAL::ZERO);
+    EXPECT_EQ(sign_of_gaussian_curvature(*Bezier(cone)(random_parameters(random))), CGAL::ZERO);
 }
 
 TEST(Bezier_surface, has_constant_curvature_on_circular_patches)
@@ -270,7 +204,7 @@ TEST(Bezier_surface, has_constant_curvature_on_circular_patches)
   const Bezier cylinder = quarter_cylinder();
   for (int k = 0; k < 10; ++k)
   {
-    const Parameters uv = random.parameters();
+    const Parameters uv = random_parameters(random);
     const auto c = cylinder(uv);
     ASSERT_TRUE(c);
     EXPECT_EQ(gaussian_curvature(*c), 0);
@@ -295,13 +229,13 @@ TEST(Bezier_surface, does_not_depend_on_the_sign_of_the_weights)
   Random random(20260104);
   for (const auto& degree : bidegrees)
   {
-    const Points p = random.points(degree[0] + 1, degree[1] + 1);
-    const Weights w = random.weights(degree[0] + 1, degree[1] + 1);
+    const Points p = random_points(random, degree[0] + 1, degree[1] + 1);
+    const Weights w = random_weights(random, degree[0] + 1, degree[1] + 1);
     Weights negative = w;
     for (auto& row : negative)
       for (Q& x : row)
         x = -x;
-    const Parameters uv = random.parameters();
+    const Parameters uv = random_parameters(random);
     expect_same_answer(Bezier(p, w)(uv), Bezier(p, negative)(uv));
   }
 }
@@ -309,7 +243,7 @@ TEST(Bezier_surface, does_not_depend_on_the_sign_of_the_weights)
 TEST(Bezier_surface, refuses_poles_and_is_right_on_both_sides_of_them)
 {
   Random random(20260105);
-  const Points p = random.points(2, 3);
+  const Points p = random_points(random, 2, 3);
   const Weights w{{Q(1), Q(1), Q(1)}, {Q(-1), Q(-1), Q(-1)}}; // W = 1 - 2u
   const Bezier patch(p, w);
   const Parametric_surface_3<Bernstein_map> map(Bernstein_map{p, w});
@@ -332,7 +266,7 @@ TEST(Bezier_surface, refuses_poles_and_is_right_on_both_sides_of_them)
 TEST(Bezier_surface, refuses_what_is_outside_unless_asked_for_the_extension)
 {
   Random random(20260106);
-  const Points p = random.points(3, 3);
+  const Points p = random_points(random, 3, 3);
   const Bezier patch(p);
   const Parametric_surface_3<Bernstein_map> map(Bernstein_map{p, {}});
   const std::array<Parameters, 4> outside{{{fraction(-1, 100), Q(0)}, {fraction(101, 100), Q(0)},
@@ -362,11 +296,11 @@ TEST(Bezier_surface, reports_collapsed_edges_exactly)
   EXPECT_STREQ("v0", to_string(Patch_edge::V0));
 
   Random random(20260107);
-  Points p = random.points(4, 4);
+  Points p = random_points(random, 4, 4);
   for (int i = 0; i < 4; ++i)
     p[i][0] = p[0][0];
   EXPECT_EQ(Bezier(p).collapsed_edges(), std::vector<Patch_edge>{Patch_edge::V0});
-  EXPECT_EQ(Bezier(p, random.weights(4, 4)).collapsed_edges(),
+  EXPECT_EQ(Bezier(p, random_weights(random, 4, 4)).collapsed_edges(),
             std::vector<Patch_edge>{Patch_edge::V0});
   EXPECT_EQ(Bezier(p).cast<double>().collapsed_edges(), std::vector<Patch_edge>{Patch_edge::V0});
   expect_refusal(Refusal_code::IRREGULAR_PARAMETRISATION, Bezier(p)({fraction(1, 3), Q(0)}));
@@ -403,11 +337,11 @@ TEST(Bezier_surface, transposed_has_the_opposite_normal)
   Random random(20260108);
   for (const auto& degree : bidegrees)
   {
-    const Points p = random.points(degree[0] + 1, degree[1] + 1);
-    const Weights w = random.weights(degree[0] + 1, degree[1] + 1);
+    const Points p = random_points(random, degree[0] + 1, degree[1] + 1);
+    const Weights w = random_weights(random, degree[0] + 1, degree[1] + 1);
     for (const Bezier& patch : {Bezier(p), Bezier(p, w)})
     {
-      const Parameters uv = random.parameters();
+      const Parameters uv = random_parameters(random);
       const Bezier other = patch.transposed();
       EXPECT_EQ(other.degree_u(), patch.degree_v());
       EXPECT_EQ(other.control_point(0, 1), patch.control_point(1, 0));
@@ -423,10 +357,10 @@ TEST(Bezier_surface, transposed_has_the_opposite_normal)
 TEST(Bezier_surface, is_the_same_at_the_origin)
 {
   Random random(20260109);
-  const Points p = random.points(3, 4);
-  for (const Bezier& patch : {Bezier(p), Bezier(p, random.weights(3, 4))})
+  const Points p = random_points(random, 3, 4);
+  for (const Bezier& patch : {Bezier(p), Bezier(p, random_weights(random, 3, 4))})
   {
-    const Parameters uv = random.parameters();
+    const Parameters uv = random_parameters(random);
     const auto s = patch.shape_at_origin(uv);
     ASSERT_TRUE(s);
     EXPECT_EQ(s->point(), (Point{Q(0), Q(0), Q(0)}));
@@ -437,7 +371,7 @@ TEST(Bezier_surface, is_the_same_at_the_origin)
 TEST(Bezier_surface, casts_what_was_given)
 {
   Random random(20260110);
-  const Bezier patch(random.points(4, 3), random.weights(4, 3));
+  const Bezier patch(random_points(random, 4, 3), random_weights(random, 4, 3));
   const auto d = patch.cast<double>();
   const auto back = d.cast<Q>().cast<double>();
   const auto enclosed = patch.cast<Interval>();
@@ -466,12 +400,6 @@ TEST(Bezier_surface, is_exact_with_a_square_root)
   EXPECT_EQ(s->point()[2], F(Q(0), Q(1), Q(2)));
   EXPECT_EQ(gaussian_curvature(*s), F(fraction(1, 4)));
   EXPECT_EQ(sign_decision(umbilic_discriminant(*s)), CGAL::ZERO);
-}
-
-void expect_contains(const Interval& x, const Q& exact)
-{
-  EXPECT_LE(Q(x.inf()), exact);
-  EXPECT_GE(Q(x.sup()), exact);
 }
 
 // The enclosure contains the exact data, is narrow, and double is close to them.
@@ -508,10 +436,10 @@ TEST(Bezier_surface, is_enclosed_by_intervals)
   Random random(20260111);
   for (const auto& degree : bidegrees)
   {
-    const Points p = random.points(degree[0] + 1, degree[1] + 1);
-    expect_enclosures(Bezier(p), random.parameters());
-    expect_enclosures(Bezier(p, random.weights(degree[0] + 1, degree[1] + 1)),
-                      random.parameters());
+    const Points p = random_points(random, degree[0] + 1, degree[1] + 1);
+    expect_enclosures(Bezier(p), random_parameters(random));
+    expect_enclosures(Bezier(p, random_weights(random, degree[0] + 1, degree[1] + 1)),
+                      random_parameters(random));
   }
 }
 
@@ -565,7 +493,7 @@ TEST(Bezier_surface, needs_no_division_operator)
 TEST(Bezier_surface, does_not_answer_with_numbers_that_are_none)
 {
   Random random(20260112);
-  auto patch = Bezier(random.points(4, 4)).cast<double>();
+  auto patch = Bezier(random_points(random, 4, 4)).cast<double>();
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_FALSE(patch({nan, 0.5}));
   EXPECT_FALSE(patch.extended_shape({1e200, 0.5}));
@@ -583,30 +511,12 @@ TEST(Bezier_surface, has_preconditions)
 }
 #endif
 
-std::vector<Q> rationals(const std::vector<int>& x, int denominator = 1)
-{
-  std::vector<Q> y;
-  for (int i : x)
-    y.push_back(fraction(i, denominator));
-  return y;
-}
-
-// Knot vectors of all kinds: clamped, unclamped, of high multiplicity, discontinuous, of degree 1
-// and of a degree that is evaluated with storage on the heap.
-const std::vector<Knot_vector<Q>> knot_vectors{
-  Knot_vector<Q>(3, rationals({0, 0, 0, 0, 1, 3, 4, 4, 4, 4}, 7)),
-  Knot_vector<Q>(2, rationals({0, 0, 0, 2, 5, 5, 7, 7, 7}, 3)),
-  Knot_vector<Q>(3, rationals({-5, -3, -1, 0, 2, 3, 3, 3, 4, 6, 9}, 2)),
-  Knot_vector<Q>(2, rationals({0, 0, 0, 1, 1, 1, 4, 4, 4})),
-  Knot_vector<Q>(1, rationals({0, 1, 2, 2, 5, 6})),
-  Knot_vector<Q>(9, rationals({0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 1, 2, 2, 2, 2, 2, 2, 2, 2, 2, 2}))};
-
 Nurbs random_surface(Random& random, const Knot_vector<Q>& u, const Knot_vector<Q>& v,
                      bool rational)
 {
   const int rows = u.number_of_control_points(), columns = v.number_of_control_points();
-  const Points p = random.points(rows, columns);
-  return Nurbs(u, v, p, rational ? random.weights(rows, columns) : Weights());
+  const Points p = random_points(random, rows, columns);
+  return Nurbs(u, v, p, rational ? random_weights(random, rows, columns) : Weights());
 }
 
 TEST(Nurbs_surface, agrees_with_its_bezier_patches)
@@ -679,7 +589,7 @@ TEST(Nurbs_surface, has_as_many_one_sided_shapes_as_its_continuity_asks)
   {
     expect_same_answer(side.shape, surface({Q(2), Q(1)}, side.side_u, side.side_v));
     EXPECT_EQ(side.shape->point(), sides[0].shape->point());
-    EXPECT_GT(factor(side.shape->normal(), sides[0].shape->normal()), 0); // the surface is G1
+    expect_same_direction(side.shape->normal(), sides[0].shape->normal()); // the surface is G1
   }
   EXPECT_NE(gaussian_curvature(*sides[0].shape), gaussian_curvature(*sides[1].shape));
   EXPECT_NE(gaussian_curvature(*sides[0].shape), gaussian_curvature(*sides[2].shape));
@@ -691,13 +601,14 @@ TEST(Nurbs_surface, has_as_many_one_sided_shapes_as_its_continuity_asks)
 TEST(Nurbs_surface, with_bezier_knots_is_the_bezier_patch)
 {
   Random random(20260116);
-  const Points p = random.points(4, 3);
-  const Weights w = random.weights(4, 3);
+  const Points p = random_points(random, 4, 3);
+  const Weights w = random_weights(random, 4, 3);
   const Knot_vector<Q> u(3, rationals({0, 0, 0, 0, 1, 1, 1, 1}));
   const Knot_vector<Q> v(2, rationals({0, 0, 0, 1, 1, 1}));
   const Nurbs surface(u, v, p, w);
   const Bezier patch(p, w);
-  for (const Parameters& uv : {random.parameters(), Parameters{Q(0), Q(1)}, Parameters{Q(1), Q(0)}})
+  for (const Parameters& uv :
+       {random_parameters(random), Parameters{Q(0), Q(1)}, Parameters{Q(1), Q(0)}})
     expect_same_answer(patch(uv), surface(uv));
   const Bezier piece = surface.bezier_patches().at(0).patch;
   for (int i = 0; i < 4; ++i)
@@ -790,16 +701,16 @@ TEST(Nurbs_surface, tells_why_it_is_invalid)
 {
   const Knot_vector<Q> u(1, rationals({0, 0, 1, 1})), v(2, rationals({0, 0, 0, 1, 1, 1}));
   Random random(20260120);
-  EXPECT_FALSE(Nurbs::why_invalid(u, v, random.points(2, 3)));
-  EXPECT_FALSE(Nurbs::why_invalid(u, v, random.points(2, 3), random.weights(2, 3)));
-  EXPECT_EQ(Nurbs::why_invalid(u, v, random.points(3, 3)),
+  EXPECT_FALSE(Nurbs::why_invalid(u, v, random_points(random, 2, 3)));
+  EXPECT_FALSE(Nurbs::why_invalid(u, v, random_points(random, 2, 3), random_weights(random, 2, 3)));
+  EXPECT_EQ(Nurbs::why_invalid(u, v, random_points(random, 3, 3)),
             "there are 3 rows of control points, the knots along u need 2");
-  EXPECT_EQ(Nurbs::why_invalid(u, v, random.points(2, 2)),
+  EXPECT_EQ(Nurbs::why_invalid(u, v, random_points(random, 2, 2)),
             "row 0 has 2 control points, the knots along v need 3");
-  EXPECT_EQ(Nurbs::why_invalid(u, v, random.points(2, 3), random.weights(2, 1)),
+  EXPECT_EQ(Nurbs::why_invalid(u, v, random_points(random, 2, 3), random_weights(random, 2, 1)),
             "row 0 has 1 weights, the knots along v need 3");
 #ifndef CGAL_NO_PRECONDITIONS
-  EXPECT_THROW(Nurbs(u, v, random.points(3, 3)), CGAL::Precondition_exception);
+  EXPECT_THROW(Nurbs(u, v, random_points(random, 3, 3)), CGAL::Precondition_exception);
 #endif
 }
 
@@ -810,7 +721,7 @@ TEST(Nurbs_surface, extracts_patches_with_zero_weights)
   const Knot_vector<Q> u(2, rationals({0, 0, 0, 1, 2, 2, 2})), v(1, rationals({0, 0, 1, 1}));
   Random random(20260121);
   const Weights w{{Q(1), Q(1)}, {Q(-1), Q(-1)}, {Q(1), Q(1)}, {Q(1), Q(2)}};
-  const Nurbs surface(u, v, random.points(4, 2), w);
+  const Nurbs surface(u, v, random_points(random, 4, 2), w);
   const auto pieces = surface.bezier_patches();
   EXPECT_EQ(pieces[0].patch.weight(2, 0), 0);
   for (int k = 1; k < 8; ++k)

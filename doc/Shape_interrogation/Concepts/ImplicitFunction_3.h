@@ -21,7 +21,8 @@
  * - not branch on the values of its arguments: a branch on an enclosure is undecided, and one in a
  *   recorded function is taken once and for all;
  * - not convert its arguments to `double`, and write constants so that they are exact: `NT(1) / 3`,
- *   not `NT(1.0 / 3)`.
+ *   not `NT(1.0 / 3)`, and an integer `n` that may exceed \f$ 2^{53} \f$ as `NT(n)`, since an
+ *   enclosure times a built-in number takes that as a `double`.
  *
  * A function of two numbers that returns one, which is what `Implicit_curve_2` takes, has the same
  * requirements.

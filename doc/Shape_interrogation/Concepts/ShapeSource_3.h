@@ -11,7 +11,8 @@
  * \cgalConcept
  *
  * A model is a representation of a surface that answers a query with the second-order data of the
- * surface there. It is a value type; all const calls are thread-safe.
+ * surface there. It is a value type; all const calls are thread-safe, unless it holds numbers that are
+ * not themselves (`CORE::Expr`: copies share a counter).
  *
  * What a query is, depends on the representation: a point of space, a pair of parameters, a point of
  * n-space. The answer must satisfy:
@@ -19,10 +20,14 @@
  *   `Local_shape_3`, for one orientation that the model documents;
  * - in an exact number type they are exact; in an enclosure they contain the data at every point that
  *   the enclosed query contains and that is on the surface;
- * - where the surface has no second-order data, or the query is not on the surface, the answer is a
- *   refusal; an enclosure that cannot tell refuses with `Refusal_code::UNDECIDED`; only floating point
- *   may answer for a query that is merely near the surface;
- * - nothing that the number type throws leaves the call: it becomes a refusal.
+ * - where the surface has no second-order data, the answer is a refusal; an enclosure that cannot tell
+ *   refuses with `Refusal_code::UNDECIDED`;
+ * - where the query is certainly not on the surface, the answer is a refusal. No enclosure can prove
+ *   that a query <em>is</em> on the surface: it answers under this supposition, for the points of the
+ *   enclosed query that are. An exact number type decides, and floating point makes no claim;
+ * - what the number type throws becomes a refusal, with one exception: `Conversion_error` leaves the
+ *   call, as it tells a filter that a stage is of no use. It arises where the surface or the query
+ *   has a number without an exact value, such as an infinite one.
  *
  * A model that holds no numbers answers in every number type, and its call operator is a template. A
  * model that holds numbers is a class template over their type `FT`, answers in that type, and has the

@@ -29,10 +29,10 @@ public:
   //! the number type of coordinates and values: a model of the \cgal concept `FieldNumberType`.
   typedef unspecified_type FT;
 
-  //! the points of space.
+  //! the points of space, in which queries are given.
   typedef unspecified_type Point_3;
 
-  //! the vectors of space.
+  //! the vectors of space, in which directions are given.
   typedef unspecified_type Vector_3;
 
   //! the type of a decided sign: `CGAL::Sign` or `CGAL::Uncertain<CGAL::Sign>`.
@@ -41,22 +41,12 @@ public:
   //! the type of a decided yes or no: `bool` or `CGAL::Uncertain<bool>`.
   typedef unspecified_type Boolean;
 
-  //! an enclosing number type, to which `number_cast()` converts from `FT`.
-  typedef unspecified_type Interval;
+  //! `CGAL::Tag_true` if decisions are made by `Filtered`, from numbers of `FT` over enclosures to
+  //! `Exact`; `CGAL::Tag_false` if they are made in `FT`.
+  typedef unspecified_type Is_filtered;
 
   //! an exact field, to which `number_cast()` converts every number of `FT` exactly.
   typedef unspecified_type Exact;
-
-  //! `CGAL::Tag_true` if decisions are made by a filter, from `FT` over `Interval` to `Exact`;
-  //! `CGAL::Tag_false` if they are made in `FT`.
-  typedef unspecified_type Is_filtered;
-
-  //! `CGAL::Tag_true` if every decision in `FT` is exact, zero tests included; else
-  //! `CGAL::Tag_false`.
-  typedef unspecified_type Is_exact;
-
-  //! `CGAL::Tag_true` if `FT` has square roots, else `CGAL::Tag_false`.
-  typedef unspecified_type Has_sqrt;
 
   /// @}
   /// \name Operations
@@ -67,12 +57,6 @@ public:
 
   //! returns the coordinates of a vector.
   static CGAL::Shape_interrogation::Coordinates<FT, 3> coordinates(const Vector_3& v);
-
-  //! returns the point with the given coordinates.
-  static Point_3 point(const CGAL::Shape_interrogation::Coordinates<FT, 3>& c);
-
-  //! returns the vector with the given coordinates.
-  static Vector_3 vector(const CGAL::Shape_interrogation::Coordinates<FT, 3>& c);
 
   /// @}
 };

@@ -9,17 +9,11 @@
 
 // An exact comparison of nested roots is not to be had from doubles.
 
+#include "exact_or_double.h"
+
 #include <CGAL/Shape_interrogation/Analysis/compare_principal_curvatures.h>
 
-#include <CGAL/Exact_rational.h>
-
 using namespace CGAL::Shape_interrogation;
-
-#ifdef CONTROL
-using NT = CGAL::Exact_rational;
-#else
-using NT = double;
-#endif
 
 CGAL::Comparison_result compare(const Local_shape_3<NT>& s, const Local_shape_3<NT>& t)
 {

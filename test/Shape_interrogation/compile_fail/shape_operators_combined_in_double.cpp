@@ -9,17 +9,11 @@
 
 // The cross-check of systems solves for its multipliers by exact elimination.
 
+#include "exact_or_double.h"
+
 #include <CGAL/Shape_interrogation/Surfaces/N_space_cross_checks.h>
 
-#include <CGAL/Exact_rational.h>
-
 using namespace CGAL::Shape_interrogation;
-
-#ifdef CONTROL
-using NT = CGAL::Exact_rational;
-#else
-using NT = double;
-#endif
 
 bool has_curvature(const N_space_system& system, const std::vector<NT>& p)
 {

@@ -8,7 +8,7 @@
 
 // All headers read in two translation units: a function that is not inline would be defined twice.
 
-#include <CGAL/Shape_interrogation.h>
+#include "all_headers.h"
 
 int second();
 

@@ -8,7 +8,7 @@
 
 // The other half of first.cpp.
 
-#include <CGAL/Shape_interrogation.h>
+#include "all_headers.h"
 
 int second()
 {

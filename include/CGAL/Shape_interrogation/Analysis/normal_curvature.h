@@ -19,6 +19,7 @@
 
 #include <array>
 #include <optional>
+#include <type_traits>
 
 namespace CGAL {
 namespace Shape_interrogation {
@@ -51,43 +52,70 @@ std::optional<Refusal> refuse_direction(const Local_shape_3<NT>& s, const Coordi
                                "the direction");
 }
 
+namespace internal {
+
+// A positive multiple of P v, the part of v in the tangent plane: v' T v of a vector that is only
+// nearly tangent, as one in double is, would depend on more than the surface.
+template <class NT>
+Coordinates<NT, 3> tangent_part(const Local_shape_3<NT>& s, const Coordinates<NT, 3>& v)
+{
+  const Coordinates<NT, 3>& n = s.normal();
+  const NT c = dot(n, v);
+  if (CGAL::certainly(is_zero_decision(c)))
+    return v;
+  const NT& q = s.normal_squared_length();
+  if constexpr (std::is_floating_point_v<NT>) // does not overflow
+    return {v[0] - c / q * n[0], v[1] - c / q * n[1], v[2] - c / q * n[2]};
+  else
+    return {NT(q * v[0] - c * n[0]), NT(q * v[1] - c * n[1]), NT(q * v[2] - c * n[2])};
+}
+
+} // namespace internal
+
 /*!
  * \ingroup PkgShapeInterrogationAnalysis
  * \brief returns the sign of the normal curvature in the tangent direction `v`. Needs a ring only.
- * \pre `v` is tangent and not zero
+ *
+ * A direction that is not tangent stands for its orthogonal projection on the tangent plane, so
+ * that the sign depends on the surface only; it is zero for a multiple of the normal.
+ * \pre `v` is not zero
  */
 template <class NT>
 typename Number_type_traits<NT>::Sign
 sign_of_normal_curvature(const Local_shape_3<NT>& s, const Coordinates<NT, 3>& v)
 {
-  return sign_decision(second_form(s, v, v));
+  const Coordinates<NT, 3> t = internal::tangent_part(s, v);
+  return sign_decision(second_form(s, t, t));
 }
 
 /*!
  * \ingroup PkgShapeInterrogationAnalysis
- * \brief returns the square of the normal curvature in the tangent direction `v`. Needs a field.
- * \pre `v` is tangent and not zero
+ * \brief returns the square of the normal curvature in the tangent direction `v`, or in that of the
+ * projection of `v` on the tangent plane. Needs a field.
+ * \pre `v` is not orthogonal to the tangent plane, and not zero
  */
 template <class NT>
 NT squared_normal_curvature(const Local_shape_3<NT>& s, const Coordinates<NT, 3>& v)
 {
-  const NT form = second_form(s, v, v);
-  const NT length = s.form_denominator() * internal::dot(v, v);
+  const Coordinates<NT, 3> t = internal::tangent_part(s, v);
+  const NT form = second_form(s, t, t);
+  const NT length = s.form_denominator() * internal::dot(t, t);
   NT k = form * form / (s.normal_squared_length() * length * length);
   return k;
 }
 
 /*!
  * \ingroup PkgShapeInterrogationAnalysis
- * \brief returns the normal curvature in the tangent direction `v`, in the sign of `Local_shape_3`.
- * Needs a square root.
- * \pre `v` is tangent and not zero
+ * \brief returns the normal curvature in the tangent direction `v`, or in that of the projection of
+ * `v` on the tangent plane, in the sign of `Local_shape_3`. Needs a square root.
+ * \pre `v` is not orthogonal to the tangent plane, and not zero
  */
 template <class NT>
 NT normal_curvature(const Local_shape_3<NT>& s, const Coordinates<NT, 3>& v)
 {
+  const Coordinates<NT, 3> t = internal::tangent_part(s, v);
   const NT root = Elementary_functions<NT>::sqrt(s.normal_squared_length());
-  NT k = second_form(s, v, v) / (s.form_denominator() * root * internal::dot(v, v));
+  NT k = second_form(s, t, t) / (s.form_denominator() * root * internal::dot(t, t));
   return k;
 }
 

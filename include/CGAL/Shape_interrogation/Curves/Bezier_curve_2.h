@@ -30,7 +30,8 @@ namespace Shape_interrogation {
  * \f$ (-c_2', c_1') \f$.
  *
  * The weights, if any, may have any sign; where their common function vanishes, everything is
- * refused (`POLE`). Decisions about the shape are free of division. Const calls are thread-safe.
+ * refused (`POLE`). Decisions about the shape are free of division. Const calls are thread-safe,
+ * except for `CORE::Expr`.
  *
  * \tparam NT a ring number type; the points of a rational curve need a field
  *

@@ -58,13 +58,9 @@ Result<Local_shape_2<NT>> shape_from_derivatives(const Curve_derivatives_2<NT>& 
                                                  const NT& factor = NT(1))
 {
   const NT determinant = d.tt[0] * d.t[1] - d.tt[1] * d.t[0];
-  Result<Local_shape_2<NT>> s =
-    Local_shape_2<NT>(d.c, {NT(-d.t[1]), d.t[0]}, NT(factor * determinant));
-  if (auto refusal = refuse_zero(s->normal_squared_length(),
+  return Local_shape_2<NT>::make(d.c, {NT(-d.t[1]), d.t[0]}, NT(factor * determinant),
                                  Refusal_code::IRREGULAR_PARAMETRISATION,
-                                 "the squared length of the first derivative"))
-    return *refusal;
-  return s;
+                                 "the squared length of the first derivative");
 }
 
 template <class NT>

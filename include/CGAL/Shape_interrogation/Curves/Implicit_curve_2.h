@@ -67,6 +67,8 @@ public:
   }
 
   //! returns the Taylor polynomial of the function at `p` to the given order.
+  //! \exception Shape_error where the function has no value or derivative in the number type: what
+  //! the call operator turns into a refusal is thrown here
   template <int Order, class NT>
   Jet<NT, 2, Order> jet(const Coordinates<NT, 2>& p) const
   {
@@ -88,12 +90,8 @@ private:
       const NT mixed = x * y * f.derivative(0, 1);
       const NT numerator =
         y * y * f.derivative(0, 0) - mixed - mixed + x * x * f.derivative(1, 1);
-      const Shape s(p, {x, y}, numerator);
-      if (auto refusal = internal::refuse_zero(s.normal_squared_length(),
-                                               Refusal_code::SINGULAR_POINT,
-                                               "the squared length of the gradient"))
-        return *refusal;
-      return s;
+      return Shape::make(p, {x, y}, numerator, Refusal_code::SINGULAR_POINT,
+                         "the squared length of the gradient");
     });
   }
 

@@ -56,7 +56,7 @@ struct Curve_piece_2
  *
  * At a knot where the curve has fewer than two continuous derivatives the data differ from side to
  * side: `operator()` answers from the right (from the left at the end of the domain),
- * `one_sided_shapes()` from both. Const calls are thread-safe.
+ * `one_sided_shapes()` from both. Const calls are thread-safe, except for `CORE::Expr`.
  *
  * \tparam NT a field number type
  *

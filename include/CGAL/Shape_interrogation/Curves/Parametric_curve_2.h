@@ -61,6 +61,8 @@ public:
   }
 
   //! returns the point and the derivatives to order two.
+  //! \exception Shape_error where the map has none in the number type: what the call operator turns
+  //! into a refusal is thrown here
   template <class NT>
   Curve_derivatives_2<NT> derivatives(const NT& t) const
   {
@@ -76,6 +78,7 @@ public:
   }
 
   //! returns the Taylor polynomials of the two coordinates at `t` to the given order.
+  //! \exception Shape_error as `derivatives()`
   template <int Order, class NT>
   std::array<Jet<NT, 1, Order>, 2> jet(const NT& t) const
   {

@@ -17,6 +17,7 @@
 #include <CGAL/Shape_interrogation/Differentiation/internal/static_for.h>
 #include <CGAL/Shape_interrogation/Number_types/Elementary_functions.h>
 #include <CGAL/Shape_interrogation/Number_types/Number_type_traits.h>
+#include <CGAL/Shape_interrogation/Number_types/internal/inline.h>
 #include <CGAL/Shape_interrogation/Number_types/number_cast.h>
 
 #include <array>
@@ -56,8 +57,7 @@ public:
   static constexpr int order = Order;          //!< the truncation degree
   static constexpr int size = Monomials::size; //!< the number of coefficients
 
-  //! constructs zero.
-  Jet() : m_mask(0) {}
+  Jet() : m_mask(0) {} //!< constructs zero.
 
   //! constructs a constant.
   Jet(const NT& constant) : m_mask(1) { m_c[0] = constant; }
@@ -71,7 +71,7 @@ public:
   [[gnu::always_inline]] static Jet variable(int i, const NT& value)
   {
     Jet x(value);
-    internal::static_for<size>([&](auto k) __attribute__((always_inline)) {
+    internal::static_for<size>([&](auto k) CGAL_SHAPE_INTERROGATION_INLINE_LAMBDA {
       if (k == 1 + i) x.m_c[k] = NT(1);
     });
     x.m_mask |= 2ull << i;
@@ -227,7 +227,7 @@ private:
     {
       Jet r;
       r.m_mask = a.m_mask;
-      internal::static_for<size>([&](auto k) __attribute__((always_inline)) {
+      internal::static_for<size>([&](auto k) CGAL_SHAPE_INTERROGATION_INLINE_LAMBDA {
         if (a.has(k)) r.m_c[k] = -a.m_c[k];
       });
       return r;
@@ -240,7 +240,7 @@ private:
     {
       Jet r;
       r.m_mask = a.m_mask | b.m_mask;
-      internal::static_for<size>([&](auto k) __attribute__((always_inline)) {
+      internal::static_for<size>([&](auto k) CGAL_SHAPE_INTERROGATION_INLINE_LAMBDA {
         const bool in_a = a.has(k), in_b = b.has(k);
         if (in_a && in_b)
           r.m_c[k] = subtract ? NT(a.m_c[k] - b.m_c[k]) : NT(a.m_c[k] + b.m_c[k]);
@@ -258,7 +258,7 @@ private:
     {
       Jet r;
       internal::static_for<Monomials::number_of_products>([&](auto p)
-                                                            __attribute__((always_inline)) {
+                                                CGAL_SHAPE_INTERROGATION_INLINE_LAMBDA {
         constexpr auto t = Monomials::products[p];
         constexpr int i = t.left, j = t.right, k = t.result;
         if (!a.has(i) || !b.has(j))
@@ -276,7 +276,7 @@ private:
     {
       Jet r;
       r.m_mask = a.m_mask;
-      internal::static_for<size>([&](auto k) __attribute__((always_inline)) {
+      internal::static_for<size>([&](auto k) CGAL_SHAPE_INTERROGATION_INLINE_LAMBDA {
         if (a.has(k)) r.m_c[k] = a.m_c[k] * s;
       });
       return r;

@@ -31,7 +31,7 @@ struct Implicit_mesh_options
   double min_angle = 25;
   //! the surface is looked for on a grid with so many cells along each side of the box
   int seed_cells = 24;
-  //! largest number of vertices; at singular curves the refinement has no other end
+  //! largest number of vertices that the refinement may need
   std::size_t max_vertices = 200000;
 };
 

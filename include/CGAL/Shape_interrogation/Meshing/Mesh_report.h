@@ -58,6 +58,9 @@ struct Mesh_report
   bool vertex_distance_certified = false; //!< whether that is an upper bound
   double max_face_distance = 0;       //!< of a point of a triangle from the surface
   bool face_distance_certified = false;   //!< whether that is an upper bound
+  //! number of sample points from which no way to the surface was found: in the distances, which
+  //! are not certified then, each stands as the length of an edge that was asked for
+  std::size_t unmeasured_samples = 0;
   std::vector<Refused_place> refused_places; //!< vertices whose property `regular` is `false`
 };
 

@@ -40,7 +40,13 @@ namespace Shape_interrogation {
  * arithmetic, where the report says so; else, near singular points for example, they are the
  * largest that were seen at sample points. They may exceed the tolerance; the report says by how
  * much. The topology is not certified: components and holes that are smaller than a cell of the
- * grid or than the edges can be missed.
+ * grid or than the edges can be missed, and so are parts along which the function does not change
+ * its sign, such as a factor of even multiplicity.
+ *
+ * <b>Singular curves.</b> Where sheets cross or touch each other along a curve, no refinement ends
+ * in a manifold. After a few more vertices than a smooth surface needs, the mesh then stays as it
+ * is and `Mesh_report::manifold` is `false`: the triangles beside the curve are as close to the
+ * surface as the report says, but they may overlap or leave gaps.
  *
  * The vertex properties are those of `Shape_property_maps`, for the level set of the function
  * through the vertex, which is as near to the surface as doubles allow. Vertices at singular points
@@ -54,10 +60,10 @@ namespace Shape_interrogation {
  * \param options how fine the mesh must be
  * \param progress the progress callback
  *
- * \return the mesh with its report; or a refusal: `NOT_ON_SURFACE` when the function has one sign
- * on the whole grid, `OUTSIDE_DOMAIN` for an empty box or where the function does not exist,
- * `LIMIT_EXCEEDED` when more vertices are needed than allowed, the function overflows or the mesher
- * fails, `CANCELLED`
+ * \return the mesh with its report; or a refusal: `NOT_ON_SURFACE` when nothing is found in the
+ * box, as the function certainly changes its sign nowhere on the grid, `OUTSIDE_DOMAIN` for an
+ * empty box or where the function does not exist, `LIMIT_EXCEEDED` when more vertices are needed
+ * than allowed, the function overflows or the mesher fails, `CANCELLED`
  */
 template <class Function, class Progress = No_progress>
 Result<Shape_mesh> mesh_implicit_surface(const Implicit_surface_3<Function>& surface,

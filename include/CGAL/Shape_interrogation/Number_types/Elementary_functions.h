@@ -96,6 +96,10 @@ Interval_nt<P> enclose(const Interval_nt<P>& x, Function function)
  * where the root is rational, and every other function throws `Not_algebraic_error`. There are
  * specialisations for floating point, `Interval_nt`, `CORE::Expr`, `Quadratic_field` and jets.
  *
+ * The functions of intervals are those of MPFI, which encloses correctly. All headers of jets,
+ * surfaces and questions therefore need MPFI to compile, also where a program computes in `double`
+ * only; such a program need not be linked with it.
+ *
  * \exception Not_algebraic_error where the value does not exist in `NT`
  * \exception Domain_error where the argument is certainly outside the domain
  *

@@ -22,6 +22,7 @@
 
 #include <atomic>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace CGAL {
@@ -54,15 +55,23 @@ struct Filter_statistics
  * does not divide, else in `ExactNT`. The filter covers the whole chain: a decision about data that
  * were rounded before would be exact about the wrong data.
  *
+ * To work in every number type a chain has to decide by `sign_decision()` and `is_zero_decision()`:
+ * the number types of the first and third stage have no comparisons, and neither `CGAL::sign()` nor
+ * `CGAL::is_zero()`.
+ *
  * A chain that checks a point to be on a surface is only certified where the check is: an enclosure
  * cannot prove a zero. Chains should use the level set of the point
  * (`Implicit_surface_3::level_set_shape()`), or check once with an exact type.
  *
  * Const calls are thread-safe if those of the chain are. The rounding mode is restored on every
- * path, also when the chain throws. Where no stage decides (transcendental functions), a chain that
- * returns a `Result` answers `Refusal_code::UNDECIDED`; one that returns a bare decision throws
- * `Uncertain_conversion_exception`.
+ * path, also when the chain throws. A filter can be copied, but not assigned to.
  *
+ * Where no stage decides, because the chain has no value in `ExactNT` (transcendental functions), a
+ * chain that refuses then answers `Refusal_code::UNDECIDED`; for a bare decision there is an
+ * exception.
+ *
+ * \exception Not_algebraic_error if no stage decides, and the chain throws this or
+ * `Mixed_roots_error` in `ExactNT`
  * \exception Conversion_error if no stage before the exact ones decides and the data are not finite
  *
  * \tparam Chain a default or copy constructible callable
@@ -102,8 +111,7 @@ public:
           try_ring<internal::Exact_ring>(answer, m_use_ring, args...))
         return count(&Filter_statistics::exact_ring, *answer);
 #endif
-    return count(&Filter_statistics::exact,
-                 Exact_answer::last(m_chain(cast_argument<ExactNT>(args)...)));
+    return count(&Filter_statistics::exact, last_answer<Exact_answer>(args...));
   }
 
 private:
@@ -153,6 +161,24 @@ private:
     }
     catch (const Uncertain_conversion_exception&) {}
     return false;
+  }
+
+  template <class Exact_answer, class... Args>
+  auto last_answer(const Args&... args) const
+  {
+    try
+    {
+      return Exact_answer::last(m_chain(cast_argument<ExactNT>(args)...));
+    }
+    catch (const Not_algebraic_error& e) { refuse_undecided(e); }
+    catch (const Mixed_roots_error& e) { refuse_undecided(e); }
+  }
+
+  [[noreturn]] static void refuse_undecided(const Shape_error& no_value)
+  {
+    throw Not_algebraic_error(
+      std::string("the enclosure does not decide, and there is no exact value: ") +
+      no_value.what());
   }
 
   Chain m_chain;

@@ -22,6 +22,7 @@
 #include <CGAL/Sqrt_extension.h>
 
 #include <ostream>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -44,7 +45,9 @@ public:
   using Extension = CGAL::Sqrt_extension<Rational, Rational, Tag_false, Tag_false>; //!< storage
 
   Quadratic_field() : m_x(Rational(0)) {}                  //!< constructs zero.
-  Quadratic_field(int a) : m_x(Rational(a)) {}             //!< constructs an integer.
+  //! constructs an integer, of any built-in type.
+  template <class Integer, class = std::enable_if_t<std::is_integral_v<Integer>>>
+  Quadratic_field(Integer a) : m_x(number_cast<Rational>(a)) {}
   //! constructs the exact value of `a`. \exception Conversion_error if it is not finite
   explicit Quadratic_field(double a) : m_x(number_cast<Rational>(a)) {}
   Quadratic_field(const Rational& a) : m_x(a) {}           //!< constructs a rational number.

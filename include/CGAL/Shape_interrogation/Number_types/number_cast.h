@@ -9,7 +9,7 @@
 #ifndef CGAL_SHAPE_INTERROGATION_NUMBER_TYPES_NUMBER_CAST_H
 #define CGAL_SHAPE_INTERROGATION_NUMBER_TYPES_NUMBER_CAST_H
 
-// Conversions between number types that are exact, or enclose, or (to double) round to nearest.
+// Conversions between number types that are exact, or enclose, or (to double) approximate.
 
 #include <CGAL/Shape_interrogation/Number_types/Errors.h>
 
@@ -59,6 +59,18 @@ double nearest_double(const Exact& x)
   return twice < sum ? lo : hi;
 }
 
+// A double between the ends; infinite ends count as the largest double.
+inline double middle(double lo, double hi)
+{
+  constexpr double largest = (std::numeric_limits<double>::max)();
+  lo = (std::max)(lo, -largest);
+  hi = (std::min)(hi, largest);
+  // The width of large intervals overflows, and half of the smallest numbers is not exact.
+  const bool is_large = lo < -largest / 2 || hi > largest / 2;
+  const double between = is_large ? lo / 2 + hi / 2 : lo + (hi - lo) / 2;
+  return (std::min)(between, hi); // when rounding upward
+}
+
 } // namespace internal
 
 /*!
@@ -66,7 +78,9 @@ double nearest_double(const Exact& x)
  * \brief converts one number type to another; a number type joins by specialising it.
  *
  * The static member `cast()` must return the exact value, or an enclosure of it when `To` is an
- * enclosure; to `double` it returns the nearest double where the source is exact.
+ * enclosure. To `double` it returns a nearest double for `Exact_rational`, `CORE::Expr` and
+ * `Quadratic_field`, the middle of an interval (with the largest double in place of infinite ends),
+ * and what `CGAL::to_double()` returns for other types, exact ones too.
  *
  * \tparam To the target
  * \tparam From the source
@@ -80,7 +94,8 @@ struct Number_cast
 
 /*!
  * \ingroup PkgShapeInterrogationNumberTypes
- * \brief returns `x` as a number of type `To`: exactly, enclosed, or (to `double`) the nearest one.
+ * \brief returns `x` as a number of type `To`: exactly, enclosed, or (to `double`) approximately,
+ * see `Number_cast`.
  * \exception Conversion_error if `To` has no such number
  */
 template <class To, class From>
@@ -94,14 +109,14 @@ inline To number_cast(const From& x)
 
 #ifndef DOXYGEN_RUNNING
 
-// Anything to double: the nearest one. The middle of an interval.
+// Anything to double.
 template <class From>
 struct Number_cast<double, From, std::enable_if_t<!std::is_arithmetic_v<From>>>
 {
   static double cast(const From& x)
   {
     if constexpr (internal::Is_interval<From>::value)
-      return x.inf() + (x.sup() - x.inf()) / 2;
+      return internal::middle(x.inf(), x.sup());
     else if constexpr (std::is_same_v<From, CGAL::Exact_rational> ||
                        std::is_same_v<From, CORE::Expr>)
       return internal::nearest_double(x);
@@ -117,13 +132,24 @@ struct Number_cast<Interval_nt<P>, From, std::enable_if_t<!std::is_arithmetic_v<
   static Interval_nt<P> cast(const From& x) { return Interval_nt<P>(CGAL::to_interval(x)); }
 };
 
-// Wide integers do not fit a double: they go through the rational.
-template <bool P>
-struct Number_cast<Interval_nt<P>, long>
+// Not every rational has constructors for the widest integers: they enter as two halves.
+template <class Integer>
+struct Number_cast<CGAL::Exact_rational, Integer, std::enable_if_t<std::is_integral_v<Integer>>>
 {
-  static Interval_nt<P> cast(long x)
+  static CGAL::Exact_rational cast(Integer x)
   {
-    return Interval_nt<P>(CGAL::to_interval(CGAL::Exact_rational(x)));
+    static_assert(std::numeric_limits<Integer>::digits <= 64, "an integer of at most 64 bits");
+    if constexpr (std::numeric_limits<Integer>::digits <= std::numeric_limits<int>::digits)
+      return CGAL::Exact_rational(static_cast<int>(x));
+    else if constexpr (std::numeric_limits<Integer>::digits <= 53)
+      return CGAL::Exact_rational(static_cast<double>(x));
+    else
+    {
+      constexpr Integer half = Integer(1) << 32;
+      const CGAL::Exact_rational high(static_cast<double>(x / half));
+      const CGAL::Exact_rational low(static_cast<double>(x % half));
+      return high * CGAL::Exact_rational(static_cast<double>(half)) + low;
+    }
   }
 };
 
@@ -160,6 +186,19 @@ struct Number_cast<CORE::Expr, CGAL::Exact_rational>
     text.imbue(std::locale::classic());
     text << x;
     return CORE::Expr(CORE::BigRat(text.str()));
+  }
+};
+
+// Wide integers do not fit a double, and the constructors of the interval enclose them only while
+// rounding upward.
+template <bool P, class Integer>
+struct Number_cast<Interval_nt<P>, Integer,
+                   std::enable_if_t<std::is_integral_v<Integer> &&
+                                    (std::numeric_limits<Integer>::digits > 53)>>
+{
+  static Interval_nt<P> cast(Integer x)
+  {
+    return Interval_nt<P>(CGAL::to_interval(number_cast<CGAL::Exact_rational>(x)));
   }
 };
 

@@ -14,7 +14,7 @@
 
 #include <CGAL/Shape_interrogation/Curves/internal/refuse_outside.h>
 #include <CGAL/Shape_interrogation/Surfaces/Patch_edge.h>
-#include <CGAL/Shape_interrogation/Surfaces/internal/Tensor_derivatives.h>
+#include <CGAL/Shape_interrogation/Surfaces/internal/tensor_magnitudes.h>
 #include <CGAL/Shape_interrogation/Surfaces/internal/collapsed_edge.h>
 
 #include <CGAL/assertions.h>
@@ -36,8 +36,8 @@ namespace Shape_interrogation {
  * shape are free of division, for rational patches too: the frame \f$ W^2 S_u, W^2 S_v \f$ has the
  * normal \f$ W^4 \, S_u \times S_v \f$ , which keeps the orientation for either sign of \f$ W \f$.
  *
- * Const calls are thread-safe. For degrees up to seven a call in an inexact number type allocates
- * nothing.
+ * Const calls are thread-safe, except for `CORE::Expr`. For degrees up to seven a call in an
+ * inexact number type allocates nothing.
  *
  * \tparam NT a ring number type; the point of a rational patch needs a field
  *
@@ -148,10 +148,12 @@ public:
    * \brief computes the data of the patch moved so that its point at `uv` is the origin.
    *
    * Decisions about the shape do not depend on the point, and without it they need no division:
-   * this is the form for filters and exact rings. No parameters are outside.
+   * this is the form for filters and exact rings. The refusals are those of the call operator.
    */
   Result<Shape> shape_at_origin(const Parameters& uv) const
   {
+    if (auto refusal = refuse_outside(uv))
+      return *refusal;
     return answer<Shape>(uv, [](const auto& t) { return internal::shape_at_origin(t); });
   }
 
@@ -245,20 +247,20 @@ private:
   {
     return internal::refuse_errors<T>([&]() -> Result<T> {
       if (is_rational())
-        return ask(evaluate<4>(uv));
-      return ask(evaluate<3>(uv));
+        return ask(internal::as_numbers(evaluate<4>(uv)));
+      return ask(internal::as_numbers(evaluate<3>(uv)));
     });
   }
 
   // Not inlined: all questions share it.
   template <int Dim>
-  [[gnu::noinline]] internal::Tensor_derivatives<NT, Dim> evaluate(const Parameters& uv) const
+  [[gnu::noinline]] auto evaluate(const Parameters& uv) const
   {
     return internal::with_degrees<NT>(m_degree_u, m_degree_v, [&](auto degree) {
       return internal::tensor_derivatives<Dim>(
         m_points.numbers(), Dim * (m_degree_v + 1),
-        internal::bernstein_basis<degree.value>(m_degree_u, uv[0]),
-        internal::bernstein_basis<degree.value>(m_degree_v, uv[1]));
+        internal::bernstein_with_bounds<degree.value>(m_degree_u, uv[0]),
+        internal::bernstein_with_bounds<degree.value>(m_degree_v, uv[1]));
     });
   }
 

@@ -75,6 +75,8 @@ public:
   }
 
   //! returns the Taylor polynomial of the function at `p` to the given order.
+  //! \exception Shape_error where the function has no value or derivative in the number type: what
+  //! the call operator turns into a refusal is thrown here
   template <int Order, class NT>
   Jet<NT, 3, Order> jet(const Coordinates<NT, 3>& p) const
   {

@@ -30,8 +30,9 @@ namespace Shape_interrogation {
  * \brief evaluates the surface of one system in n-space at many points in one number type, reusing
  * its memory.
  *
- * Refused are, in this order: too few equations (`UNDERDETERMINED`); a point that certainly is not
- * a solution (`NOT_ON_SOLUTION`; floating point makes no such claim); a Jacobian of rank below
+ * Refused are, in this order: a point that has not one coordinate for each variable
+ * (`NOT_ON_SOLUTION`); too few equations (`UNDERDETERMINED`); a point that certainly is not a
+ * solution (`NOT_ON_SOLUTION`; floating point makes no such claim); a Jacobian of rank below
  * (`RANK_DEFICIENT`) or above (`NOT_TWO_DIMENSIONAL`) \f$ n - 2 \f$; a tangent plane that the
  * projection does not map injectively (`PROJECTION_SINGULAR`); redundant equations that contradict
  * each other to second order (`INCONSISTENT_REDUNDANCY`). Enclosures answer `UNDECIDED` where they
@@ -59,7 +60,7 @@ public:
       m_m(system.number_of_equations())
   {}
 
-  //! computes the second-order data at `point`. \pre `point` has `n` coordinates
+  //! computes the second-order data at `point`, which has one coordinate for each variable.
   Result<Local_shape_3<NT>> operator()(const std::vector<NT>& point)
   {
     return internal::refuse_errors<Local_shape_3<NT>>([&] { return evaluate(point); });
@@ -90,8 +91,10 @@ private:
 
   Result<Local_shape_3<NT>> evaluate(const std::vector<NT>& p)
   {
-    CGAL_precondition_msg(static_cast<int>(p.size()) == m_n,
-                          "the point needs one coordinate for each variable");
+    if (static_cast<int>(p.size()) != m_n)
+      return Refusal(Refusal_code::NOT_ON_SOLUTION,
+                     "the point has " + std::to_string(p.size()) + " coordinate(s) for " +
+                       std::to_string(m_n) + " variables");
     if (m_m < m_n - 2)
       return Refusal(Refusal_code::UNDERDETERMINED,
                      std::to_string(m_m) + " equation(s) in " + std::to_string(m_n) +

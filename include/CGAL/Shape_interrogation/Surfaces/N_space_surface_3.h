@@ -34,7 +34,10 @@ namespace Shape_interrogation {
  * The normal is oriented so that its first non-zero component is positive, or has a positive
  * product with the orientation of the system where that is given.
  *
- * Const calls are thread-safe. The object is independent of the number type.
+ * An enclosure answers for every point that it cannot prove not to be a solution; so does a filter.
+ *
+ * Const calls are thread-safe, each in numbers of its own. The object is independent of the number
+ * type.
  *
  * Source: Chuang and Hoffmann, "Curvature computations on surfaces in n-space", Theorem 3 and
  * Corollary 5, in root-free form, with the additional hypotheses that they need: the rank of the

@@ -12,6 +12,7 @@
 // m equations in n variables in compiled form, and the order in which their Jacobian is eliminated.
 
 #include <CGAL/Shape_interrogation/Differentiation/Expression_tape.h>
+#include <CGAL/Shape_interrogation/Number_types/Errors.h>
 #include <CGAL/Shape_interrogation/Surfaces/internal/Elimination_plan.h>
 #include <CGAL/Shape_interrogation/Waist/Symmetric_matrix_3.h>
 
@@ -61,13 +62,20 @@ public:
    *
    * Without this call each evaluation finds its own order. The answers agree in exact types; in
    * floating point they may differ in rounding. Not thread-safe.
-   * \return false if the system has not rank `n - 2` at `sample`; nothing is changed then
+   * \return false if the system has not rank `n - 2` at `sample`, or the number type has no values
+   * there, or `sample` has not `n` coordinates; nothing is changed then
    */
   template <class NT>
   bool prepare(const std::vector<NT>& sample)
   {
+    if (sample.size() != m_variables.size())
+      return false;
     std::vector<NT> gradient(m_tape.gradient_pattern().number_of_entries()), workspace;
-    m_tape.evaluate_with_gradient<NT>(sample.data(), nullptr, gradient.data(), workspace);
+    try
+    {
+      m_tape.evaluate_with_gradient<NT>(sample.data(), nullptr, gradient.data(), workspace);
+    }
+    catch (const Shape_error&) { return false; }
     internal::Elimination_plan plan =
       internal::plan_elimination(m_tape.gradient_pattern(), number_of_variables(), gradient);
     if (plan.rank() != number_of_variables() - 2)

@@ -15,7 +15,7 @@
 #include <CGAL/Shape_interrogation/Curves/Knot_vector.h>
 #include <CGAL/Shape_interrogation/Curves/internal/spline_basis.h>
 #include <CGAL/Shape_interrogation/Surfaces/Bezier_surface_3.h>
-#include <CGAL/Shape_interrogation/Surfaces/internal/Tensor_derivatives.h>
+#include <CGAL/Shape_interrogation/Surfaces/internal/tensor_magnitudes.h>
 
 #include <CGAL/assertions.h>
 
@@ -63,7 +63,8 @@ struct Surface_piece_3
  * from the right (from the left at the end of the domain), `one_sided_shapes()` from all sides.
  * Only the lengths of knot spans are divided by, and that once at construction.
  *
- * Const calls are thread-safe. Degenerate cases are those of `Bezier_surface_3`.
+ * Const calls are thread-safe, except for `CORE::Expr`. Degenerate cases are those of
+ * `Bezier_surface_3`.
  *
  * \tparam NT a field number type
  *
@@ -250,20 +251,19 @@ private:
   {
     return internal::refuse_errors<T>([&]() -> Result<T> {
       if (is_rational())
-        return ask(evaluate<4>(uv, span_u, span_v));
-      return ask(evaluate<3>(uv, span_u, span_v));
+        return ask(internal::as_numbers(evaluate<4>(uv, span_u, span_v)));
+      return ask(internal::as_numbers(evaluate<3>(uv, span_u, span_v)));
     });
   }
 
   template <int Dim>
-  [[gnu::noinline]] internal::Tensor_derivatives<NT, Dim> evaluate(const Parameters& uv, int span_u,
-                                                                   int span_v) const
+  [[gnu::noinline]] auto evaluate(const Parameters& uv, int span_u, int span_v) const
   {
     return internal::with_degrees<NT>(degree_u(), degree_v(), [&](auto degree) {
       return internal::tensor_derivatives<Dim>(
         net<Dim>(span_u, span_v), Dim * columns(),
-        internal::spline_basis<degree.value>(m_u, span_u, uv[0]),
-        internal::spline_basis<degree.value>(m_v, span_v, uv[1]));
+        internal::with_bounds(internal::spline_basis<degree.value>(m_u, span_u, uv[0])),
+        internal::with_bounds(internal::spline_basis<degree.value>(m_v, span_v, uv[1])));
     });
   }
 

@@ -61,6 +61,8 @@ public:
   }
 
   //! returns the point and the partial derivatives to order two.
+  //! \exception Shape_error where the map has none in the number type: what the call operator turns
+  //! into a refusal is thrown here
   template <class NT>
   Surface_derivatives_3<NT> derivatives(const Coordinates<NT, 2>& uv) const
   {
@@ -79,6 +81,7 @@ public:
   }
 
   //! returns the Taylor polynomials of the three coordinates at `uv` to the given order.
+  //! \exception Shape_error as `derivatives()`
   template <int Order, class NT>
   std::array<Jet<NT, 2, Order>, 3> jet(const Coordinates<NT, 2>& uv) const
   {

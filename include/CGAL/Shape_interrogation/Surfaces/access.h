@@ -20,6 +20,8 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <type_traits>
+#include <utility>
 
 namespace CGAL {
 namespace Shape_interrogation {
@@ -88,6 +90,17 @@ Result<Projected_point_3> project_to_surface(const Implicit_surface_3<Function>&
   });
 }
 
+namespace internal {
+
+template <class Source, class Box, class = void>
+struct Encloses_level_sets : std::false_type {};
+template <class Source, class Box>
+struct Encloses_level_sets<Source, Box,
+                           std::void_t<decltype(std::declval<const Source&>().level_set_shape(
+                             std::declval<const Box&>()))>> : std::true_type {};
+
+} // namespace internal
+
 /*!
  * \ingroup PkgShapeInterrogationSurfaces
  * \brief encloses the second-order data of a surface over a box of queries: of every level set for
@@ -95,27 +108,18 @@ Result<Projected_point_3> project_to_surface(const Implicit_surface_3<Function>&
  *
  * Decisions on the result hold for the whole box or are undecided. Refused with `UNDECIDED` if the
  * box may contain singular places. Sets the rounding mode for the call.
- * \param source a surface with a call operator or `level_set_shape()` for `Interval_nt<false>`
+ * \param source a model of `ShapeSource_3` that takes queries in `Interval_nt<false>`; its
+ * `level_set_shape()` is called where there is one, else its call operator
  * \param box the coordinates as intervals
  */
 template <class Source, class Box>
 Result<Local_shape_3<Interval_nt<false>>> enclose_shape(const Source& source, const Box& box)
 {
   Interval_nt<false>::Protector protector;
-  return source(box);
-}
-
-/*!
- * \ingroup PkgShapeInterrogationSurfaces
- * \brief encloses the second-order data of all level sets of an implicit surface over a box.
- */
-template <class Function>
-Result<Local_shape_3<Interval_nt<false>>>
-enclose_shape(const Implicit_surface_3<Function>& surface,
-              const Coordinates<Interval_nt<false>, 3>& box)
-{
-  Interval_nt<false>::Protector protector;
-  return surface.level_set_shape(box);
+  if constexpr (internal::Encloses_level_sets<Source, Box>::value)
+    return source.level_set_shape(box);
+  else
+    return source(box);
 }
 
 } // namespace Shape_interrogation

@@ -17,6 +17,7 @@
 #include <CGAL/Shape_interrogation/Traits/questions.h>
 
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 namespace CGAL {
@@ -31,10 +32,18 @@ namespace Shape_interrogation {
  * traits values are exact as well. Queries are points of the kernel or coordinates for implicit
  * surfaces, two parameters for parametrised ones, and `n` coordinates for systems.
  *
- * A decision about an implicit surface is one about the level set through the query point (see
- * `Shape_chain`); `shape()` refuses points that are certainly off the surface.
+ * <b>Queries off the surface.</b> A decision about an implicit surface is one about the level set
+ * through the query point (see `Shape_chain`); `shape()` refuses points that are certainly off the
+ * surface. A decision about a system supposes that the query solves it, redundant equations
+ * included: a filter refuses only queries that certainly do not, as no enclosure proves a zero.
+ * Where this is open, ask `shape()` with exact traits once.
  *
- * Const calls are thread-safe.
+ * Numbers that are not finite, in the query or the surface, are refused (`LIMIT_EXCEEDED`) wherever
+ * a decision needs their exact values.
+ *
+ * Const calls are thread-safe if those of the source are. Not so with numbers of type `CORE::Expr`,
+ * whose copies share a counter: there each thread needs a surface and queries of its own. An
+ * interrogation can be copied, but not assigned to.
  *
  * \tparam Source a model of `ShapeSource_3`
  * \tparam Traits a model of `ShapeTraits_3`
@@ -51,20 +60,24 @@ public:
   //! constructs the interrogation of `source`; `statistics` counts the filter's stages and must
   //! outlive the object.
   explicit Interrogation_3(Source source, Filter_statistics* statistics = nullptr)
-    : m_source(std::move(source)), m_prepared(prepare(m_source)),
-      m_filters(Filter<Sign_of_gaussian_curvature>({}, statistics),
-                Filter<Sign_of_mean_curvature>({}, statistics),
-                Filter<Sign_of_normal_curvature>({}, statistics),
-                Filter<Is_umbilic>({}, statistics), Filter<Is_planar>({}, statistics),
-                Filter<Is_parabolic>({}, statistics))
+    : m_data(std::move(source)), m_filters(statistics)
   {}
 
   //! returns the surface.
-  const Source& source() const { return m_source; }
+  const Source& source() const
+  {
+    if constexpr (is_prepared)
+      return m_data.data();
+    else
+      return m_data;
+  }
 
   //! returns the second-order data in the number type of the traits.
   template <class Query>
-  Result<Local_shape_3<FT>> shape(const Query& query) const { return m_source(coordinates(query)); }
+  Result<Local_shape_3<FT>> shape(const Query& query) const
+  {
+    return refuse_conversions([&] { return source()(coordinates(query)); });
+  }
 
   //! returns the sign of the Gaussian curvature.
   template <class Query>
@@ -80,12 +93,13 @@ public:
     return decide<Sign_of_mean_curvature>(query);
   }
 
-  //! returns the sign of the normal curvature in a direction. \pre the direction is tangent
-  template <class Query>
-  Sign_result sign_of_normal_curvature(const Query& query,
-                                       const Coordinates<FT, 3>& direction) const
+  //! returns the sign of the normal curvature in a direction, which is a vector of the kernel or
+  //! given by three coordinates. One that is not exactly tangent stands for its orthogonal
+  //! projection on the tangent plane. \pre the direction is not zero
+  template <class Query, class Direction = Coordinates<FT, 3>>
+  Sign_result sign_of_normal_curvature(const Query& query, const Direction& direction) const
   {
-    return decide<Sign_of_normal_curvature>(query, direction);
+    return decide<Sign_of_normal_curvature>(query, coordinates(direction));
   }
 
   //! tells whether the point is umbilic.
@@ -104,34 +118,60 @@ private:
   template <class Question>
   using Filter = Filtered<Shape_chain<Question>, typename Traits::Exact>;
 
+  static constexpr bool is_filtered = Traits::Is_filtered::value;
+  // Data in numbers are converted for the filter once; functions pass as they are.
+  static constexpr bool is_prepared =
+    is_filtered && internal::Has_cast<Interval_nt<false>, Source>::value;
+
+  // One filter for each question: a filter remembers which of its stages are of use.
+  template <class... Question>
+  struct Filters_for : std::tuple<Filter<Question>...>
+  {
+    explicit Filters_for(Filter_statistics* statistics)
+      : std::tuple<Filter<Question>...>(Filter<Question>({}, statistics)...)
+    {}
+  };
+  struct No_filters
+  {
+    explicit No_filters(Filter_statistics*) {}
+  };
+
   static Coordinates<FT, 3> coordinates(const Point_3& p) { return Traits::coordinates(p); }
+  static Coordinates<FT, 3> coordinates(const typename Traits::Vector_3& v)
+  {
+    return Traits::coordinates(v);
+  }
   template <class Query>
   static const Query& coordinates(const Query& query) { return query; }
 
   template <class Question, class Query, class... Args>
   auto decide(const Query& query, const Args&... args) const
   {
-    if constexpr (Traits::Is_filtered::value)
-      return std::get<Filter<Question>>(m_filters)(m_prepared, coordinates(query), args...);
+    if constexpr (is_filtered)
+      return refuse_conversions([&] {
+        return std::get<Filter<Question>>(m_filters)(m_data, coordinates(query), args...);
+      });
     else
-      return Shape_chain<Question>()(m_source, coordinates(query), args...);
+      return refuse_conversions(
+        [&] { return Shape_chain<Question>()(m_data, coordinates(query), args...); });
   }
 
-  // Data in numbers are converted for the filter once; functions pass as they are.
-  static auto prepare(const Source& source)
+  // What no number of an exact type stands for.
+  template <class Evaluation>
+  static auto refuse_conversions(Evaluation evaluation) -> decltype(evaluation())
   {
-    if constexpr (internal::Has_cast<Interval_nt<false>, Source>::value)
-      return Prepared<Source>(source);
-    else
-      return source;
+    try
+    {
+      return evaluation();
+    }
+    catch (const Conversion_error& e) { return Refusal(Refusal_code::LIMIT_EXCEEDED, e.what()); }
   }
 
-  Source m_source;
-  decltype(prepare(std::declval<const Source&>())) m_prepared;
-  // One filter for each question: a filter remembers which of its stages are of use.
-  std::tuple<Filter<Sign_of_gaussian_curvature>, Filter<Sign_of_mean_curvature>,
-             Filter<Sign_of_normal_curvature>, Filter<Is_umbilic>, Filter<Is_planar>,
-             Filter<Is_parabolic>> m_filters;
+  std::conditional_t<is_prepared, Prepared<Source>, Source> m_data;
+  std::conditional_t<is_filtered,
+                     Filters_for<Sign_of_gaussian_curvature, Sign_of_mean_curvature,
+                                 Sign_of_normal_curvature, Is_umbilic, Is_planar, Is_parabolic>,
+                     No_filters> m_filters;
 };
 
 } // namespace Shape_interrogation

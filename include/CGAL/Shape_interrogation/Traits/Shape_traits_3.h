@@ -47,25 +47,18 @@ struct Shape_traits_3
   using Vector_3 = typename Kernel::Vector_3;            //!< the vectors
   using Sign = typename Number_type_traits<FT>::Sign;       //!< the type of a sign
   using Boolean = typename Number_type_traits<FT>::Boolean; //!< the type of a yes or no
-  using Interval = Interval_nt<false>;                   //!< the enclosing companion
   using Exact = CGAL::Exact_rational;                    //!< the exact companion
 
   //! whether decisions are made by a filter instead of in `FT` itself
   using Is_filtered = Tag_false;
-  //! whether every decision in `FT` is exact
-  using Is_exact = Boolean_tag<Number_type_traits<FT>::is_exact>;
-  //! whether `FT` has square roots
-  using Has_sqrt = Boolean_tag<
-    std::is_convertible_v<typename Algebraic_structure_traits<FT>::Algebraic_category,
-                          Field_with_sqrt_tag>>;
 
   //! returns the coordinates of a point.
   static Coordinates<FT, 3> coordinates(const Point_3& p) { return {p.x(), p.y(), p.z()}; }
   //! returns the coordinates of a vector.
   static Coordinates<FT, 3> coordinates(const Vector_3& v) { return {v.x(), v.y(), v.z()}; }
-  //! returns the point with the given coordinates.
+  //! returns the point with the given coordinates. (For callers: the concept does not ask for it.)
   static Point_3 point(const Coordinates<FT, 3>& c) { return Point_3(c[0], c[1], c[2]); }
-  //! returns the vector with the given coordinates.
+  //! returns the vector with the given coordinates. (For callers, too.)
   static Vector_3 vector(const Coordinates<FT, 3>& c) { return Vector_3(c[0], c[1], c[2]); }
 };
 
@@ -106,7 +99,8 @@ using Exact_shape_traits_3 = Shape_traits_3<Simple_cartesian<CGAL::Exact_rationa
 using Quadratic_shape_traits_3 = Shape_traits_3<Simple_cartesian<Quadratic_field>>;
 
 //! \ingroup PkgShapeInterrogationTraits
-//! Exact reals with all square roots.
+//! Exact reals with all square roots. Not thread-safe: copies of a `CORE::Expr` share a counter,
+//! even in const calls.
 using Exact_real_shape_traits_3 = Shape_traits_3<Simple_cartesian<CORE::Expr>>;
 
 } // namespace Shape_interrogation

@@ -90,6 +90,13 @@ struct Has_level_set<Source, Query,
                      std::void_t<decltype(std::declval<const Source&>().level_set_shape(
                        std::declval<const Query&>()))>> : std::true_type {};
 
+template <class Source, class Query, class = void>
+struct Has_shape_at_origin : std::false_type {};
+template <class Source, class Query>
+struct Has_shape_at_origin<Source, Query,
+                           std::void_t<decltype(std::declval<const Source&>().shape_at_origin(
+                             std::declval<const Query&>()))>> : std::true_type {};
+
 } // namespace internal
 
 /*!
@@ -98,7 +105,8 @@ struct Has_level_set<Source, Query,
  *
  * Where the source has level sets, the decision is about the level set through the query point, so
  * that it means something for a point that is only approximately on the surface; a point exactly on
- * the surface is on its own level set. Other sources are evaluated at the query.
+ * the surface is on its own level set. Patches are evaluated without the division by the weight
+ * that only the point needs (`Bezier_surface_3::shape_at_origin()`), other sources at the query.
  *
  * \tparam Question a function object that answers for a `Local_shape_3` (and further arguments)
  */
@@ -122,6 +130,8 @@ private:
   {
     if constexpr (internal::Has_level_set<Source, Query>::value)
       return source.level_set_shape(query);
+    else if constexpr (internal::Has_shape_at_origin<Source, Query>::value)
+      return source.shape_at_origin(query);
     else
       return source(query);
   }

@@ -11,8 +11,13 @@
 
 // The waist in the plane: the second-order data (N, b) of a curve at a point.
 
-#include <CGAL/Shape_interrogation/Waist/Symmetric_matrix_3.h>
+#include <CGAL/Shape_interrogation/Number_types/Number_type_traits.h>
 #include <CGAL/Shape_interrogation/Number_types/number_cast.h>
+#include <CGAL/Shape_interrogation/Waist/Refusal.h>
+#include <CGAL/Shape_interrogation/Waist/Symmetric_matrix_3.h>
+#include <CGAL/Shape_interrogation/Waist/internal/refuse.h>
+
+#include <CGAL/assertions.h>
 
 namespace CGAL {
 namespace Shape_interrogation {
@@ -47,8 +52,23 @@ public:
    * \pre `normal` is not zero
    */
   Local_shape_2(const Vector& point, const Vector& normal, const NT& numerator)
-    : m_point(point), m_normal(normal), m_q(internal::dot(normal, normal)), m_numerator(numerator)
-  {}
+    : Local_shape_2(point, normal, internal::dot(normal, normal), numerator)
+  {
+    CGAL_precondition_msg(CGAL::possibly(!is_zero_decision(m_q)), "the normal must not be zero");
+  }
+
+  /*!
+   * \brief returns the data, or a refusal with the given code where `normal` is zero or perhaps is;
+   * `what` names its squared length in the evidence.
+   */
+  static Result<Local_shape_2> make(const Vector& point, const Vector& normal, const NT& numerator,
+                                    Refusal_code code, const char* what)
+  {
+    const NT q = internal::dot(normal, normal);
+    if (auto refusal = internal::refuse_zero(q, code, what))
+      return *refusal;
+    return Local_shape_2(point, normal, q, numerator);
+  }
 
   const Vector& point() const { return m_point; }   //!< returns the point.
   const Vector& normal() const { return m_normal; } //!< returns the unnormalised normal.
@@ -78,19 +98,26 @@ public:
   //! returns the data of the same curve with the opposite normal.
   Local_shape_2 opposite() const
   {
-    return Local_shape_2(m_point, {NT(-m_normal[0]), NT(-m_normal[1])}, NT(-m_numerator));
+    return Local_shape_2(m_point, {NT(-m_normal[0]), NT(-m_normal[1])}, m_q, NT(-m_numerator));
   }
 
   //! returns the data in another number type, converted by `number_cast()`.
   template <class To>
   Local_shape_2<To> cast() const
   {
-    return Local_shape_2<To>({number_cast<To>(m_point[0]), number_cast<To>(m_point[1])},
-                             {number_cast<To>(m_normal[0]), number_cast<To>(m_normal[1])},
-                             number_cast<To>(m_numerator));
+    using Other = typename Local_shape_2<To>::Vector;
+    const Other normal{number_cast<To>(m_normal[0]), number_cast<To>(m_normal[1])};
+    return Local_shape_2<To>({number_cast<To>(m_point[0]), number_cast<To>(m_point[1])}, normal,
+                             internal::dot(normal, normal), number_cast<To>(m_numerator));
   }
 
 private:
+  template <class> friend class Local_shape_2;
+
+  Local_shape_2(const Vector& point, const Vector& normal, const NT& q, const NT& numerator)
+    : m_point(point), m_normal(normal), m_q(q), m_numerator(numerator)
+  {}
+
   Vector m_point, m_normal;
   NT m_q, m_numerator;
 };

@@ -65,6 +65,7 @@ public:
   Local_shape_3(const Vector& point, const Vector& normal, const Matrix& b)
     : Local_shape_3(point, normal, b, NT(1))
   {
+    CGAL_precondition_msg(CGAL::possibly(!is_zero_decision(m_q)), "the normal must not be zero");
     CGAL_exactness_precondition_msg(annihilates_normal(), "B N must be 0");
   }
 
@@ -72,7 +73,8 @@ public:
    * \brief returns the data for the normal `n` and the form \f$ P\,T\,P / w \f$.
    *
    * For an implicit surface `f = 0`, `n` is the gradient, `t` the Hessian matrix and `w` is 1.
-   * \pre `n` is not zero and `w` is positive
+   * A representation that cannot know whether its normal vanishes refuses afterwards.
+   * \pre `n` is not zero and `w` is positive (not checked)
    */
   static Local_shape_3 from_form(const Vector& point, const Vector& n, const Matrix& t,
                                  const NT& w = NT(1))

@@ -102,15 +102,6 @@ NT trace(const Symmetric_matrix_3<NT>& m)
   return t;
 }
 
-// The sum of the principal 2x2 minors.
-template <class NT>
-NT minors(const Symmetric_matrix_3<NT>& m)
-{
-  NT s = m(0, 0) * m(1, 1) - m(0, 1) * m(0, 1) + m(0, 0) * m(2, 2) - m(0, 2) * m(0, 2) +
-         m(1, 1) * m(2, 2) - m(1, 2) * m(1, 2);
-  return s;
-}
-
 // n' adj(m) n = minus the bordered 4x4 determinant.
 template <class NT>
 NT bordered(const Symmetric_matrix_3<NT>& m, const Coordinates<NT, 3>& n)

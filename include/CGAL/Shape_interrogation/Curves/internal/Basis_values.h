@@ -80,8 +80,8 @@ void add_multiple(std::array<NT, Dim>& y, const NT& c, const NT* x)
 
 // The sums of one coordinate of a row of points, `stride` numbers apart, with the basis and its
 // derivatives of the orders 1 and 2.
-template <class NT, int Degree>
-std::array<NT, 3> sum_row(const NT* row, int stride, const Basis_values<NT, Degree>& b)
+template <class Row, class NT, int Degree>
+std::array<NT, 3> sum_row(Row row, int stride, const Basis_values<NT, Degree>& b)
 {
   NT value = b(0, 0) * row[0], first = b(1, 0) * row[0], second = b(2, 0) * row[0];
   for (int i = 1; i <= b.degree(); ++i)

@@ -46,25 +46,33 @@ public:
     : m_surface(surface), m_box(box), m_options(options), m_go_on(go_on),
       m_function(surface.function(), go_on)
   {
-    double side = 0;
+    double side = 0, largest = 0;
     for (int d = 0; d < 3; ++d)
     {
       if (!(box[d][0] < box[d][1]) || !std::isfinite(box[d][1] - box[d][0]))
         refuse_mesh(Refusal_code::OUTSIDE_DOMAIN, "the box is empty or not finite");
       side = (std::max)(side, box[d][1] - box[d][0]);
+      largest = (std::max)({largest, std::abs(box[d][0]), std::abs(box[d][1])});
     }
     m_edge_length = options.edge_length > 0 ? options.edge_length : side / 20;
+    // The mesher's points are no better than that.
+    if (!(m_edge_length >= 1e-9 * largest))
+      refuse_mesh(Refusal_code::LIMIT_EXCEEDED,
+                  "the edge length is too small: it must be at least 1e-9 of the largest coordinate"
+                  " of the box");
     m_tolerance = options.tolerance > 0 ? options.tolerance : side / 1000;
   }
 
   Shape_mesh operator()()
   {
     const int cells = std::clamp(m_options.seed_cells, 2, 300);
-    const std::vector<Point> seeds = Seed_grid(m_function, m_box, cells).seeds(m_function);
-    if (seeds.empty())
+    const Seed_grid grid(m_function, m_box, cells);
+    if (!grid.has_both_signs([this](const Point& p) { return certain_sign(p); }))
       refuse_mesh(Refusal_code::NOT_ON_SURFACE,
-                  "the function has the same sign at all nodes of a grid with " +
-                    std::to_string(cells) + " cells along each side of the box");
+                  "nothing was found in the box: the function changes its sign nowhere on a grid"
+                  " with " + std::to_string(cells) + " cells a side (zeros without a change of"
+                  " sign, as of a square, are not found)");
+    const std::vector<Point> seeds = grid.seeds(m_function);
     // What the refinement measures is not quite the distance of the result.
     std::optional<Shape_mesh> best;
     double aim = m_tolerance * 0.7;
@@ -102,17 +110,17 @@ private:
     for (Point& p : output.points)
     {
       Point projected = p;
-      if (slide_to_surface(gradient, projected) &&
+      if (slide_to_surface(gradient, projected, m_edge_length) &&
           squared_distance(projected, p) < m_edge_length * m_edge_length)
         p = projected;
     }
     for (auto& t : output.triangles)
       orient(t, output.points);
-    Box_clipper<decltype(gradient)>(output.points, output.triangles, gradient)(m_box);
+    Box_clipper<decltype(gradient)>(output.points, output.triangles, gradient,
+                                    m_edge_length)(m_box);
     if (output.triangles.empty())
       refuse_mesh(Refusal_code::NOT_ON_SURFACE,
-                  "there is no triangle in the box: the function may touch zero without changing"
-                  " its sign");
+                  "nothing was found in the box: the surface lies outside or only touches it");
     Built_mesh built = build_surface_mesh(output.points, output.triangles);
     Shape_mesh result{std::move(built.mesh), {}};
     describe_topology(result.surface_mesh, result.report);
@@ -137,8 +145,26 @@ private:
 
   static Point coordinates(const Shape_mesh::Point_3& p) { return {p.x(), p.y(), p.z()}; }
 
-  // Of a triangle or, three times the same point, of a vertex.
-  void add_distance(const std::array<Point, 3>& t, double& largest, bool& is_certified) const
+  // -1, 1, or 0 if the interval of the value contains zero.
+  int certain_sign(const Point& p) const
+  {
+    const Interval_nt<false>::Protector protector;
+    try
+    {
+      const Mesh_interval value =
+        m_surface.function()(Mesh_interval(p[0]), Mesh_interval(p[1]), Mesh_interval(p[2]));
+      return value.inf() > 0 ? 1 : value.sup() < 0 ? -1 : 0;
+    }
+    catch (const Shape_error&) // not defined on the whole interval
+    {
+      return 0;
+    }
+  }
+
+  // Of a triangle or, three times the same point, of a vertex. Adds a bound that is
+  // certified, or else what is seen at samples.
+  void add_distance(const std::array<Point, 3>& t, double& largest, bool& is_certified,
+                    std::size_t& unmeasured) const
   {
     const Implicit_distance<Function> distance(m_surface, 2 * m_tolerance, 0.9 * m_tolerance);
     if (const auto bound = distance.bound(t))
@@ -147,23 +173,30 @@ private:
       return;
     }
     is_certified = false;
-    for (const std::array<double, 3>& l : {std::array<double, 3>{1, 0, 0}, {0, 1, 0}, {0, 0, 1},
-                                           {0, .5, .5}, {.5, 0, .5}, {.5, .5, 0}, {.4, .3, .3}})
+    std::vector<std::array<double, 3>> samples{{1, 0, 0}};
+    if (t[0] != t[1])
+      samples.insert(samples.end(), {{0, 1, 0}, {0, 0, 1}, {0, .5, .5}, {.5, 0, .5}, {.5, .5, 0},
+                                     {.4, .3, .3}});
+    for (const std::array<double, 3>& l : samples)
     {
       Point p;
       for (int k = 0; k < 3; ++k)
         p[k] = l[0] * t[0][k] + l[1] * t[1][k] + l[2] * t[2][k];
-      largest = (std::max)(largest, sampled_distance(p));
+      const std::optional<double> sampled = sampled_distance(p);
+      unmeasured += !sampled;
+      // What is not known counts as the length of an edge, never as nothing.
+      largest = (std::max)(largest, sampled.value_or(m_edge_length));
     }
   }
 
-  // At a place without a way to the surface, the length of an edge stands for what is not known.
-  double sampled_distance(const Point& p) const
+  // Nothing at a place without a way to the surface.
+  std::optional<double> sampled_distance(const Point& p) const
   {
     Point projected = p;
-    const bool is_on_surface = slide_to_surface(
-      [this](const Point& x) { return value_and_gradient(x); }, projected);
-    return is_on_surface ? std::sqrt(squared_distance(projected, p)) : m_edge_length;
+    const auto gradient = [this](const Point& x) { return value_and_gradient(x); };
+    if (!slide_to_surface(gradient, projected, m_edge_length))
+      return std::nullopt;
+    return std::sqrt(squared_distance(projected, p));
   }
 
   std::array<double, 4> value_and_gradient(const Point& p) const
@@ -183,7 +216,8 @@ private:
     {
       const Point p = coordinates(mesh.point(v));
       largest = (std::max)({largest, std::abs(p[0]), std::abs(p[1]), std::abs(p[2])});
-      add_distance({p, p, p}, report.max_vertex_distance, report.vertex_distance_certified);
+      add_distance({p, p, p}, report.max_vertex_distance, report.vertex_distance_certified,
+                   report.unmeasured_samples);
     }
     for (const auto f : mesh.faces())
     {
@@ -192,7 +226,8 @@ private:
       int k = 0;
       for (const auto v : mesh.vertices_around_face(mesh.halfedge(f)))
         t[k++] = coordinates(mesh.point(v));
-      add_distance(t, report.max_face_distance, report.face_distance_certified);
+      add_distance(t, report.max_face_distance, report.face_distance_certified,
+                   report.unmeasured_samples);
     }
     // Triangles are divided at rounded points.
     report.max_face_distance += std::ldexp(largest, -50);

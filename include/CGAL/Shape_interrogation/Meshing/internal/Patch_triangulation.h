@@ -83,9 +83,14 @@ private:
       if (!m_triangles.has_marks())
         mark_double_edges();
       if (!m_triangles.has_marks())
-        return;
+        break;
       m_triangles.divide(check);
     }
+    // A bound that is not a number neither settles a triangle nor marks an edge.
+    for (const Triangle& t : m_triangles.all())
+      if (!t.is_settled)
+        refuse_mesh(Refusal_code::LIMIT_EXCEEDED,
+                    "the distance of a triangle from the patch has no bound in floating point");
   }
 
   // A chord might have the same ends as an edge of another patch.

@@ -36,8 +36,10 @@ class Box_clipper
   using Triangle = std::array<std::size_t, 3>;
 
 public:
-  Box_clipper(std::vector<Point>& points, std::vector<Triangle>& triangles, Gradient gradient)
-    : m_points(points), m_triangles(triangles), m_gradient(std::move(gradient)),
+  // `length` is that of the edges.
+  Box_clipper(std::vector<Point>& points, std::vector<Triangle>& triangles, Gradient gradient,
+              double length)
+    : m_points(points), m_triangles(triangles), m_gradient(std::move(gradient)), m_length(length),
       m_fixed(points.size(), 0)
   {}
 
@@ -122,7 +124,7 @@ private:
         Point p = m_points[i];
         p[d] = bound;
         const int fixed = m_fixed[i] | 1 << d;
-        if (!slide_to_surface(m_gradient, p, fixed) ||
+        if (!slide_to_surface(m_gradient, p, m_length, fixed) ||
             squared_distance(p, m_points[i]) > shortest[i] * shortest[i] / 9)
           continue;
         m_points[i] = p;
@@ -140,7 +142,7 @@ private:
     on_chord[d] = bound;
     const int fixed = (m_fixed[a] & m_fixed[b]) | 1 << d;
     Point on_surface = on_chord;
-    const bool is_near = slide_to_surface(m_gradient, on_surface, fixed) &&
+    const bool is_near = slide_to_surface(m_gradient, on_surface, m_length, fixed) &&
                          squared_distance(on_surface, on_chord) <= squared_distance(p, q) / 4;
     m_points.push_back(is_near ? on_surface : on_chord);
     m_fixed.push_back(fixed);
@@ -149,6 +151,7 @@ private:
   std::vector<Point>& m_points;
   std::vector<Triangle>& m_triangles;
   Gradient m_gradient;
+  const double m_length;
   std::vector<int> m_fixed; // bit k: the coordinate k is that of a face
 };
 

@@ -74,6 +74,19 @@ public:
           m_positive[node(i, j, k)] = f(point(i, j, k)) > 0;
   }
 
+  // Whether the function certainly has both signs: `sign(p)` is 0 where rounding hides it.
+  template <class Sign>
+  bool has_both_signs(Sign sign) const
+  {
+    bool found[3] = {false, false, false};
+    for (int i = 0; i <= m_cells; ++i)
+      for (int j = 0; j <= m_cells; ++j)
+        for (int k = 0; k <= m_cells; ++k)
+          if (!found[m_positive[node(i, j, k)] ? 2 : 0])
+            found[sign(point(i, j, k)) + 1] = true;
+    return found[0] && found[2];
+  }
+
   // A few points of each component.
   template <class Function>
   std::vector<Coordinates<double, 3>> seeds(Function& f) const

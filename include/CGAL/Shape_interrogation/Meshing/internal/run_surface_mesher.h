@@ -11,7 +11,8 @@
 
 // CGAL's Delaunay refinement of an implicit surface in a ball, step by step so that it can be
 // stopped. The only file that includes that mesher: it takes long to compile, and is deprecated
-// since CGAL 6.0, which still has it.
+// since CGAL 6.0, which still has it. First sizes and distances are met, then the mesh is refined
+// to a manifold, which has no end at singular curves: there the first mesh stands.
 
 #include <CGAL/Shape_interrogation/Meshing/internal/Mesh_refused.h>
 #include <CGAL/Shape_interrogation/Waist/Symmetric_matrix_3.h>
@@ -22,6 +23,7 @@
 #include <CGAL/Surface_mesher_generator.h>
 #include <CGAL/make_surface_mesh.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -67,47 +69,40 @@ Coordinates<double, 3> moved_into_ball(const Point& p, const Point& center,
   return {center.x() + t * d.x(), center.y() + t * d.y(), center.z() + t * d.z()};
 }
 
-// `f` takes coordinates; `seeds` are points on the surface, some on each component.
-template <class Function>
-Mesher_output run_surface_mesher(Function& f, const std::vector<Coordinates<double, 3>>& seeds,
-                                 const Surface_mesher_input& input)
+// The mesher needs a triangulation of dimension three: seeds of a plane must not lie in it.
+template <class Triangulation>
+void insert_seeds(Triangulation& triangulation, const std::vector<Coordinates<double, 3>>& seeds,
+                  double offset)
 {
-  using Triangulation = Surface_mesh_default_triangulation_3;
-  using Complex = Surface_mesh_complex_2_in_triangulation_3<Triangulation>;
-  using Geom_traits = Triangulation::Geom_traits;
-  using Point = Geom_traits::Point_3;
-  using Surface = CGAL::Implicit_surface_3<Geom_traits>;
-  using Surface_traits = Surface_mesh_traits_generator_3<Surface>::type;
-  using Criteria = Surface_mesh_default_criteria_3<Triangulation>;
-  using Mesher = Surface_mesher_generator<Complex, Surface_traits, Criteria,
-                                          Manifold_with_boundary_tag>::type;
-  Triangulation triangulation;
-  Complex complex(triangulation);
-  const Point center(input.center[0], input.center[1], input.center[2]);
-  const auto function = [&](const Point& p) { return f(moved_into_ball(p, center, input)); };
-  // With larger errors than 1e-10 of the ball the points leave the surface visibly.
-  const Surface surface(function, Geom_traits::Sphere_3(center, input.squared_radius), 1e-10);
-  // The mesher needs a triangulation of dimension three: seeds of a plane must not lie in it.
-  const double size = 1e-6 * std::sqrt(input.squared_radius);
   std::uint32_t state = 1;
   for (const auto& seed : seeds)
   {
-    const double x = next_offset(state), y = next_offset(state), z = next_offset(state);
-    triangulation.insert(Point(seed[0] + size * x, seed[1] + size * y, seed[2] + size * z));
+    const double x = offset * next_offset(state), y = offset * next_offset(state),
+                 z = offset * next_offset(state);
+    triangulation.insert(typename Triangulation::Point(seed[0] + x, seed[1] + y, seed[2] + z));
   }
-  const Criteria criteria(input.min_angle, input.ball_radius, input.distance);
-  Surface_traits traits;
-  Mesher mesher(complex, surface, traits, criteria);
+}
+
+// Refines until the rules of the mesher are met; false if that takes more vertices than these.
+template <class Mesher, class Triangulation>
+bool refine_within(Mesher& mesher, const Triangulation& triangulation, std::size_t most_vertices)
+{
   mesher.init();
   Null_mesh_visitor visitor;
   while (!mesher.is_algorithm_done())
   {
     mesher.one_step(visitor);
-    if (triangulation.number_of_vertices() > input.max_vertices)
-      refuse_mesh(Refusal_code::LIMIT_EXCEEDED, "the mesh needs more vertices than are allowed");
+    if (triangulation.number_of_vertices() > most_vertices)
+      return false;
   }
+  return true;
+}
+
+template <class Complex>
+Mesher_output facets_of(const Complex& complex)
+{
   Mesher_output output;
-  std::unordered_map<Triangulation::Vertex_handle, std::size_t> number;
+  std::unordered_map<typename Complex::Vertex_handle, std::size_t> number;
   for (auto it = complex.facets_begin(); it != complex.facets_end(); ++it)
   {
     std::array<std::size_t, 3> triangle;
@@ -122,6 +117,42 @@ Mesher_output run_surface_mesher(Function& f, const std::vector<Coordinates<doub
     output.triangles.push_back(triangle);
   }
   return output;
+}
+
+// `f` takes coordinates; `seeds` are points on the surface, some on each component.
+template <class Function>
+Mesher_output run_surface_mesher(Function& f, const std::vector<Coordinates<double, 3>>& seeds,
+                                 const Surface_mesher_input& input)
+{
+  using Triangulation = Surface_mesh_default_triangulation_3;
+  using Complex = Surface_mesh_complex_2_in_triangulation_3<Triangulation>;
+  using Geom_traits = Triangulation::Geom_traits;
+  using Point = Geom_traits::Point_3;
+  using Surface = CGAL::Implicit_surface_3<Geom_traits>;
+  using Surface_traits = Surface_mesh_traits_generator_3<Surface>::type;
+  using Criteria = Surface_mesh_default_criteria_3<Triangulation>;
+  using Mesher = Surface_mesher_generator<Complex, Surface_traits, Criteria,
+                                          Non_manifold_tag>::type;
+  using Manifold_mesher = Surface_mesher_generator<Complex, Surface_traits, Criteria,
+                                                   Manifold_with_boundary_tag>::type;
+  Triangulation triangulation;
+  Complex complex(triangulation);
+  const Point center(input.center[0], input.center[1], input.center[2]);
+  const auto function = [&](const Point& p) { return f(moved_into_ball(p, center, input)); };
+  // With larger errors than 1e-10 of the ball the points leave the surface visibly.
+  const Surface surface(function, Geom_traits::Sphere_3(center, input.squared_radius), 1e-10);
+  insert_seeds(triangulation, seeds, 1e-6 * std::sqrt(input.squared_radius));
+  const Criteria criteria(input.min_angle, input.ball_radius, input.distance);
+  Surface_traits traits;
+  Mesher mesher(complex, surface, traits, criteria);
+  if (!refine_within(mesher, triangulation, input.max_vertices))
+    refuse_mesh(Refusal_code::LIMIT_EXCEEDED, "the mesh needs more vertices than are allowed");
+  Mesher_output output = facets_of(complex);
+  // A smooth surface needs hardly any more vertices to become a manifold.
+  const std::size_t vertices = triangulation.number_of_vertices();
+  const std::size_t allowed = (std::min)(vertices + vertices / 4 + 1000, input.max_vertices);
+  Manifold_mesher manifold_mesher(complex, surface, traits, criteria);
+  return refine_within(manifold_mesher, triangulation, allowed) ? facets_of(complex) : output;
 }
 
 } // namespace internal

@@ -10,10 +10,12 @@
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_SLIDE_TO_SURFACE_H
 
 // Newton steps along the gradient to a point of an implicit surface, some coordinates held fixed.
-// They end when the steps stop shrinking: the rest is rounding, whatever the unit of length.
+// They end when steps that are tiny beside the coordinates or a given length stop shrinking: the
+// rest is rounding, whatever the unit of length.
 
 #include <CGAL/Shape_interrogation/Waist/Symmetric_matrix_3.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -22,12 +24,14 @@ namespace CGAL {
 namespace Shape_interrogation {
 namespace internal {
 
-// `gradient(p)` returns the value and the gradient of the function: four numbers. Bit k of `fixed`
-// holds coordinate k. Returns whether the steps have settled.
+// `gradient(p)` returns the value and the gradient of the function: four numbers. `length` is that
+// of an edge of the mesh. Bit k of `fixed` holds coordinate k. Returns whether the steps settle.
 template <class Gradient>
-bool slide_to_surface(const Gradient& gradient, Coordinates<double, 3>& p, int fixed = 0)
+bool slide_to_surface(const Gradient& gradient, Coordinates<double, 3>& p, double length,
+                      int fixed = 0)
 {
   double last = std::numeric_limits<double>::infinity();
+  const double size = (std::max)({std::abs(p[0]), std::abs(p[1]), std::abs(p[2]), length});
   for (int i = 0; i < 50; ++i)
   {
     const std::array<double, 4> f = gradient(p);
@@ -41,8 +45,10 @@ bool slide_to_surface(const Gradient& gradient, Coordinates<double, 3>& p, int f
     if (!(q > 0) || !std::isfinite(f[0] / q))
       return false;
     const double step = std::abs(f[0]) / std::sqrt(q);
-    if (i > 3 && step >= last / 2)
+    if (i > 3 && step >= last / 2 && step <= std::ldexp(size, -20))
       return true;
+    if (i > 3 && step >= last) // runs to and fro where there is no surface
+      return false;
     last = step;
     for (int k = 0; k < 3; ++k)
       p[k] -= f[0] / q * g[k];

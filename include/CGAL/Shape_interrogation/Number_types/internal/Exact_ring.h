@@ -20,7 +20,9 @@
 #include <CGAL/Mpzf.h>
 
 #include <cmath>
+#include <limits>
 #include <ostream>
+#include <type_traits>
 #include <utility>
 
 #ifdef CGAL_HAS_MPZF
@@ -35,6 +37,8 @@ public:
   Exact_ring() : m_x(0) {}
   Exact_ring(int x) : m_x(x) {}
   Exact_ring(double x) : m_x(finite(x)) {}
+  template <class Integer, class = std::enable_if_t<std::is_integral_v<Integer>>>
+  Exact_ring(Integer x) : m_x(from_integer(x)) {}
   explicit Exact_ring(Mpzf x) : m_x(std::move(x)) {}
 
   const Mpzf& mpzf() const { return m_x; }
@@ -75,6 +79,20 @@ private:
     if (!std::isfinite(x))
       throw Conversion_error("a number that is not finite has no exact value");
     return x;
+  }
+
+  // Wide integers do not fit a double: they enter as two halves.
+  template <class Integer>
+  static Mpzf from_integer(Integer x)
+  {
+    if constexpr (std::numeric_limits<Integer>::digits <= 53)
+      return Mpzf(static_cast<double>(x));
+    else
+    {
+      constexpr Integer half = Integer(1) << 32;
+      return Mpzf(static_cast<double>(x / half)) * Mpzf(static_cast<double>(half)) +
+             Mpzf(static_cast<double>(x % half));
+    }
   }
 
   Mpzf m_x;

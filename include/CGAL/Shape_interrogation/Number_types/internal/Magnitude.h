@@ -21,7 +21,9 @@
 #include <CGAL/FPU.h>
 
 #include <cmath>
+#include <limits>
 #include <ostream>
+#include <type_traits>
 
 namespace CGAL {
 namespace Shape_interrogation {
@@ -34,6 +36,13 @@ public:
   [[gnu::always_inline]] Magnitude(int v) : Magnitude(static_cast<double>(v)) {}
   [[gnu::always_inline]] Magnitude(double v) : m_v(v), m_m(std::fabs(v) + floor_()), m_k(0) {}
 
+  // An integer of any other type; one that is wider than a double is rounded.
+  template <class Integer, class = std::enable_if_t<std::is_integral_v<Integer>>>
+  [[gnu::always_inline]] Magnitude(Integer v)
+    : m_v(static_cast<double>(v)), m_m(std::fabs(m_v) + floor_()),
+      m_k(std::numeric_limits<Integer>::digits > 53)
+  {}
+
   // Whether an overflow shows: a caller who rounds downward or towards zero gets the largest double
   // in place of infinity, which later steps could make a small one.
   static bool is_safe_in_rounding_mode()
@@ -43,6 +52,16 @@ public:
   }
 
   double value() const { return m_v; }
+
+  // A value with its bound and count, for sums of products that are bounded as a whole. Where the
+  // value overflows, so does the bound.
+  [[gnu::always_inline]] static Magnitude bounded(double value, double bound, int roundings)
+  {
+    const double v = std::fabs(value);
+    return Magnitude(value, (bound > v ? bound : v) + floor_(), roundings);
+  }
+  [[gnu::always_inline]] double bound() const { return m_m; }
+  [[gnu::always_inline]] int roundings() const { return m_k; }
 
   // A bound on the error: k roundings of at most u m each (2u when the caller rounds upward), and
   // as many of m itself. The factor 4 covers both as long as k u is small; beyond, nothing is

@@ -17,7 +17,9 @@
 #include <CGAL/Shape_interrogation/Number_types/Number_type_traits.h>
 #include <CGAL/Shape_interrogation/Number_types/number_cast.h>
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <vector>
 
@@ -51,6 +53,18 @@ struct Elimination_plan
   int rank() const { return static_cast<int>(pivots.size()); }
 };
 
+// What a plan must keep to: how many pivots there are at most, and columns that are none.
+struct Elimination_limits
+{
+  int max_rank = (std::numeric_limits<int>::max)();
+  std::vector<int> free_columns;
+
+  bool is_free(int column) const
+  {
+    return std::find(free_columns.begin(), free_columns.end(), column) != free_columns.end();
+  }
+};
+
 // How good a number is as a pivot: 0 if it is not certainly different from zero. In floating point
 // the size counts; exact pivots are all equally good, and plus or minus one is the cheapest.
 template <class NT>
@@ -71,9 +85,10 @@ template <class NT>
 class Elimination_planner
 {
 public:
-  Elimination_planner(const Sparse_pattern& pattern, int columns, const std::vector<NT>& values)
+  Elimination_planner(const Sparse_pattern& pattern, int columns, const std::vector<NT>& values,
+                      const Elimination_limits& limits)
     : m_rows(pattern.number_of_rows()), m_column_counts(columns, 0), m_values(values),
-      m_scale(m_rows.size(), 0), m_active(m_rows.size(), true)
+      m_scale(m_rows.size(), 0), m_active(m_rows.size(), true), m_limits(limits)
   {
     m_plan.rows = static_cast<int>(m_rows.size());
     m_plan.columns = columns;
@@ -90,7 +105,7 @@ public:
   {
     std::vector<bool> is_free(m_plan.columns, true);
     int row, column;
-    while (find_pivot(row, column))
+    while (m_plan.rank() < m_limits.max_rank && find_pivot(row, column))
     {
       is_free[column] = false;
       eliminate(row, column);
@@ -127,7 +142,7 @@ private:
       for (const auto& [j, slot] : m_rows[i])
       {
         const double quality = pivot_quality(m_values[slot]);
-        if (quality == 0 || quality < floor)
+        if (quality == 0 || quality < floor || m_limits.is_free(j))
           continue;
         const long cost = (static_cast<long>(m_rows[i].size()) - 1) * (m_column_counts[j] - 1);
         if (best >= 0 && (cost > best || (cost == best && quality <= best_quality)))
@@ -147,7 +162,8 @@ private:
       return 0;
     double largest = 0;
     for (const auto& entry : m_rows[i])
-      largest = (std::max)(largest, pivot_quality(m_values[entry.second]));
+      if (!m_limits.is_free(entry.first))
+        largest = (std::max)(largest, pivot_quality(m_values[entry.second]));
     // An enclosure takes whatever is certainly not zero; only floating point guesses what is noise.
     if constexpr (Number_type_traits<NT>::is_enclosure)
       return 0.1 * largest;
@@ -224,13 +240,15 @@ private:
   std::vector<NT> m_values;
   std::vector<double> m_scale;
   std::vector<bool> m_active;
+  const Elimination_limits& m_limits;
 };
 
 template <class NT>
 Elimination_plan plan_elimination(const Sparse_pattern& pattern, int columns,
-                                  const std::vector<NT>& values)
+                                  const std::vector<NT>& values,
+                                  const Elimination_limits& limits = Elimination_limits())
 {
-  return Elimination_planner<NT>(pattern, columns, values)();
+  return Elimination_planner<NT>(pattern, columns, values, limits)();
 }
 
 } // namespace internal

@@ -66,6 +66,25 @@ public:
     }
   }
 
+  // x with J x = right_hand_side (destroyed) in the pivot rows, zero in the free columns.
+  void solve(std::vector<NT>& right_hand_side, std::vector<NT>& x) const
+  {
+    const Elimination_plan& plan = *m_plan;
+    for (const Elimination_plan::Pivot& pivot : plan.pivots)
+      for (int r = pivot.first_reduction; r < pivot.last_reduction; ++r)
+        right_hand_side[plan.reductions[r].row] -=
+          m_slots[plan.reductions[r].factor] * right_hand_side[pivot.row];
+    x.assign(plan.columns, NT(0));
+    for (std::size_t k = plan.pivots.size(); k-- > 0;)
+    {
+      const Elimination_plan::Pivot& pivot = plan.pivots[k];
+      NT sum = right_hand_side[pivot.row];
+      for (int e = pivot.first_entry; e < pivot.last_entry; ++e)
+        sum -= m_slots[plan.entries[e].slot] * x[plan.entries[e].column];
+      x[pivot.column] = sum * m_inverse[k];
+    }
+  }
+
   // alpha with J^T alpha = right_hand_side (destroyed), zero at redundant rows. The right hand side
   // must be orthogonal to the kernel.
   void multipliers(std::vector<NT>& right_hand_side, std::vector<NT>& alpha) const

@@ -28,8 +28,8 @@ struct Tensor_derivatives
 };
 
 // Sums the control points, `stride` numbers from row to row, over both bases.
-template <int Dim, class NT, int DegreeU, int DegreeV>
-Tensor_derivatives<NT, Dim> tensor_derivatives(const NT* net, int stride,
+template <int Dim, class Net, class NT, int DegreeU, int DegreeV>
+Tensor_derivatives<NT, Dim> tensor_derivatives(Net net, int stride,
                                                const Basis_values<NT, DegreeU>& bu,
                                                const Basis_values<NT, DegreeV>& bv)
 {
@@ -39,7 +39,7 @@ Tensor_derivatives<NT, Dim> tensor_derivatives(const NT* net, int stride,
   for (int d = 0; d < Dim; ++d)
     for (int i = 0; i <= bu.degree(); ++i)
     {
-      const std::array<NT, 3> row = sum_row(net + i * stride + d, Dim, bv);
+      const std::array<NT, 3> row = sum_row(net + (i * stride + d), Dim, bv);
       t.s[d] += bu(0, i) * row[0];
       t.u[d] += bu(1, i) * row[0];
       t.v[d] += bu(0, i) * row[1];
