@@ -48,6 +48,7 @@
 #include <CGAL/Shape_interrogation/Surfaces/N_space_condition.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_corrector.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_cross_checks.h>
+#include <CGAL/Shape_interrogation/Surfaces/N_space_enclosure.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_evaluator.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_shape_3.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_surface_3.h>

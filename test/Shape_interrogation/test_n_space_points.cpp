@@ -6,12 +6,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 
-// Approximate points of n-space moved onto the solution of a system.
+// Approximate points of n-space moved onto the solution of a system, and points that are proved.
 
 #include "random_rationals.h"
 
 #include <CGAL/Shape_interrogation/Differentiation/parse_expression.h>
-#include <CGAL/Shape_interrogation/Surfaces/N_space_corrector.h>
+#include <CGAL/Shape_interrogation/Analysis/curvatures.h>
+#include <CGAL/Shape_interrogation/Surfaces/N_space_enclosure.h>
+#include <CGAL/Shape_interrogation/Surfaces/N_space_surface_3.h>
 
 #include <gtest/gtest.h>
 
@@ -22,7 +24,9 @@
 namespace {
 
 using namespace CGAL::Shape_interrogation;
+using testing_shapes::Q;
 using testing_shapes::Random;
+using Interval = CGAL::Interval_nt<false>;
 using Names = std::vector<std::string>;
 using Point = std::vector<double>;
 
@@ -130,6 +134,105 @@ TEST(N_space_corrector, refuses)
   EXPECT_STREQ(code(make_system(xyz, {"z"}), {0, 0}), "not_on_solution");
   EXPECT_STREQ(code(make_system({"x", "y", "z", "w"}, {"z"}), {0, 0, 0, 0}), "underdetermined");
   EXPECT_STREQ(code(make_system(xyz, {"z^9 - x"}), {0, 0, 1e200}), "limit_exceeded");
+}
+
+// --- Enclosures ----------------------------------------------------------------------------------
+
+// A rational point of the sphere of radius 3 and the one of its offset at the distance 2.
+std::vector<Q> offset_point(Random& random)
+{
+  const Q a = random.rational(), b = random.rational(), d = 1 + a * a + b * b;
+  const std::vector<Q> unit{Q(2 * a / d), Q(2 * b / d), Q((d - 2) / d)};
+  std::vector<Q> p;
+  for (int radius : {5, 3})
+    for (const Q& x : unit)
+      p.push_back(Q(radius * x));
+  return p;
+}
+
+N_space_system offset_of_sphere()
+{
+  return make_system({"x", "y", "z", "p", "q", "s"},
+                     {"p^2 + q^2 + s^2 - 9", "(y-q)*s - (z-s)*q", "(z-s)*p - (x-p)*s",
+                      "(x-p)*q - (y-q)*p", "(x-p)^2 + (y-q)^2 + (z-s)^2 - 4"});
+}
+
+Point doubles(const std::vector<Q>& p)
+{
+  Point d;
+  for (const Q& x : p)
+    d.push_back(number_cast<double>(x));
+  return d;
+}
+
+TEST(N_space_enclosure, contains_the_rational_point)
+{
+  Random random(20261103);
+  const N_space_system system = offset_of_sphere();
+  const N_space_surface_3 surface(system);
+  int proved = 0;
+  for (int i = 0; i < 300; ++i)
+  {
+    const std::vector<Q> p = offset_point(random);
+    const Fixed_coordinates fixed{{i % 3, (i + 1) % 3}, {p[i % 3], p[(i + 1) % 3]}};
+    const auto e = enclose_solution(system, perturbed(random, doubles(p), 1e-6), fixed);
+    // Beside the equator of the fixed coordinates they do not determine the others.
+    if (CGAL::abs(p[(i + 2) % 3]) < Q(1) / 100)
+      continue;
+    ASSERT_TRUE(e) << e.refusal().evidence();
+    ++proved;
+    EXPECT_EQ(e->fixed, fixed.indices);
+    EXPECT_EQ(e->equations.size(), 4u);
+    for (int k = 0; k < 6; ++k)
+    {
+      EXPECT_LE(Q(e->box[k].inf()), p[k]);
+      EXPECT_GE(Q(e->box[k].sup()), p[k]);
+      EXPECT_LT(e->box[k].sup() - e->box[k].inf(), 1e-10);
+    }
+    if (CGAL::is_zero(p[0]))
+      continue; // the first component of the normal orients it
+    Interval::Protector protector;
+    const auto shape = surface(e->box);
+    ASSERT_TRUE(shape) << shape.refusal().evidence();
+    EXPECT_TRUE(CGAL::certainly(sign_of_gaussian_curvature(*shape) == CGAL::POSITIVE));
+  }
+  EXPECT_GT(proved, 250);
+}
+
+TEST(N_space_enclosure, is_unique_for_the_coordinates_that_it_chooses)
+{
+  Random random(20261104);
+  const N_space_system system = offset_of_ellipsoid();
+  for (int i = 0; i < 100; ++i)
+  {
+    const auto e = enclose_solution(system, perturbed(random, {3.5, 0, 0, 3, 0, 0}, 0.2));
+    ASSERT_TRUE(e) << e.refusal().evidence();
+    for (int j = 0; j < 2; ++j)
+    {
+      EXPECT_EQ(Q(e->box[e->fixed[j]].inf()), e->values[j]);
+      EXPECT_EQ(Q(e->box[e->fixed[j]].sup()), e->values[j]);
+    }
+    for (const Interval& x : e->box)
+      EXPECT_LT(x.sup() - x.inf(), 1e-12);
+  }
+}
+
+TEST(N_space_enclosure, refuses)
+{
+  const auto code = [](const N_space_system& system, const Point& start,
+                       const std::optional<Fixed_coordinates>& fixed = std::nullopt) {
+    const auto e = enclose_solution(system, start, fixed);
+    return e ? "answered" : to_string(e.refusal().code());
+  };
+  const Names xyz{"x", "y", "z"};
+  const N_space_system sphere = make_system(xyz, {"x^2 + y^2 + z^2 - 1"});
+  // (1, 0, z): at the equator z is a double root, and outside there is none.
+  EXPECT_STREQ(code(sphere, {1, 0, 0}, Fixed_coordinates{{0, 1}, {Q(1), Q(0)}}), "rank_deficient");
+  EXPECT_STREQ(code(sphere, {1.1, 0, .1}, Fixed_coordinates{{0, 1}, {Q(2), Q(0)}}),
+               "not_on_solution");
+  EXPECT_STREQ(code(make_system(xyz, {"x^2 + y^2 + z^2 + 1"}), {1, 2, 3}), "not_on_solution");
+  // Redundant equations that hold only where x = 0.
+  EXPECT_STREQ(code(make_system(xyz, {"z", "z + x^2*10^-9"}), {1, 2, 0}), "not_on_solution");
 }
 
 } // namespace
