@@ -121,15 +121,13 @@ private:
       // Settled: the step is a rounding of the point, or near it and not shrinking any more.
       const double size = largest(r.point);
       const bool is_small = r.step <= std::ldexp(size, -26);
-      bool settled =
+      const bool settled =
         r.step <= std::ldexp(size, -51) || (is_small && r.step > previous_step / 4);
       previous_step = is_small ? r.step : HUGE_VAL;
-      if (!settled && !advance(r.point, norm, conditions))
-        settled = is_small || all_equations;
-      else if (!settled)
+      if (!settled && advance(r.point, norm, conditions))
         continue;
-      if (settled && is_small && others_vanish(r))
-        return finish(std::move(r));
+      if (is_small && others_vanish(r))
+        return finish(std::move(r), all_equations);
       if (all_equations)
         break;
       all_equations = true; // the subset led nowhere
@@ -163,13 +161,13 @@ private:
                        [](const Interval_nt<false>& x) { return x.inf() <= 0 && x.sup() >= 0; });
   }
 
-  // A basis at the point itself, also when other equations led there.
-  Result<N_space_point> finish(N_space_point r)
+  // A Newton step has left the tangent basis of the point; one of all equations has not.
+  Result<N_space_point> finish(N_space_point r, bool needs_basis)
   {
     r.residual = std::fabs(m_values.empty() ? 0. : m_values[worst_equation()]);
-    m_excess.clear();
-    if (auto refusal = newton_step(r.point, {}))
-      return *refusal;
+    if (needs_basis)
+      if (auto refusal = newton_step(r.point, {}))
+        return *refusal;
     return r;
   }
 

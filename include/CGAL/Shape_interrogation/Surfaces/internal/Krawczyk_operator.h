@@ -87,27 +87,25 @@ public:
       middle[i] = Interval(p[i]);
     for (int i = 0; i < 2; ++i)
       middle[m_fixed[i]] = values[i];
-    const Box newton = preconditioned(residuals(middle));
+    evaluate(middle);
+    const Box newton = preconditioned_values();
+    Box image(m_unknowns.size());
+    for (std::size_t j = 0; j < image.size(); ++j)
+      image[j] = middle[m_unknowns[j]] - newton[j];
     box = middle;
-    for (std::size_t j = 0; j < m_unknowns.size(); ++j)
-      box[m_unknowns[j]] = inflated(middle[m_unknowns[j]] - newton[j], p[m_unknowns[j]]);
+    set_unknowns(box, inflated(image, p));
     bool proved = false;
     for (int attempt = 0; attempt < 24; ++attempt)
     {
-      const Box image = apply(middle, newton, box);
-      if (lies_inside(image, box))
-      {
-        const bool goes_on = width(image) < 0.9 * (width(box) - width_of_fixed(box));
-        set_unknowns(box, image);
-        proved = true;
-        if (!goes_on)
-          break;
-      }
-      else if (proved)
+      image = apply(middle, newton, box);
+      const bool is_inside = lies_inside(image, box);
+      if (proved && !is_inside)
         break; // nothing more to gain
-      else
-        for (std::size_t j = 0; j < m_unknowns.size(); ++j)
-          box[m_unknowns[j]] = inflated(image[j], p[m_unknowns[j]]);
+      const bool goes_on = !is_inside || total_width(image) < 0.9 * width_of_unknowns(box);
+      set_unknowns(box, is_inside ? image : inflated(image, p));
+      proved = is_inside;
+      if (!goes_on)
+        break;
     }
     if (!proved)
       return Refusal(Refusal_code::UNDECIDED,
@@ -127,22 +125,19 @@ private:
         f(m_place[pattern.columns[e]], e);
   }
 
-  Box residuals(const Box& at)
+  void evaluate(const Box& at)
   {
     m_values.resize(m_system.number_of_equations());
     m_system.tape().evaluate(at.data(), m_values.data(), m_workspace);
-    Box chosen;
-    for (int k : m_equations)
-      chosen.push_back(m_values[k]);
-    return chosen;
   }
 
-  Box preconditioned(const Box& values) const
+  // C g, for the values of the last evaluation.
+  Box preconditioned_values() const
   {
     Box product(m_unknowns.size(), Interval(0));
     for (std::size_t i = 0; i < m_unknowns.size(); ++i)
-      for (std::size_t k = 0; k < values.size(); ++k)
-        product[i] += Interval(m_inverse(i, k)) * values[k];
+      for (std::size_t k = 0; k < m_equations.size(); ++k)
+        product[i] += Interval(m_inverse(i, k)) * m_values[m_equations[k]];
     return product;
   }
 
@@ -172,10 +167,16 @@ private:
     return image;
   }
 
-  static Interval inflated(const Interval& x, double size)
+  Box inflated(Box unknowns, const std::vector<double>& p) const
   {
-    const double more = 0.25 * (x.sup() - x.inf()) + std::ldexp(std::fabs(size), -50) + 1e-300;
-    return x + Interval(-more, more);
+    for (std::size_t j = 0; j < unknowns.size(); ++j)
+    {
+      Interval& x = unknowns[j];
+      const double more = 0.25 * (x.sup() - x.inf()) +
+                          std::ldexp(std::fabs(p[m_unknowns[j]]), -50) + 1e-300;
+      x += Interval(-more, more);
+    }
+    return unknowns;
   }
 
   bool lies_inside(const Box& image, const Box& box) const
@@ -186,7 +187,7 @@ private:
     return true;
   }
 
-  static double width(const Box& image)
+  static double total_width(const Box& image)
   {
     double w = 0;
     for (const Interval& x : image)
@@ -194,9 +195,12 @@ private:
     return w;
   }
 
-  double width_of_fixed(const Box& box) const
+  double width_of_unknowns(const Box& box) const
   {
-    return width({box[m_fixed[0]], box[m_fixed[1]]});
+    double w = 0;
+    for (int j : m_unknowns)
+      w += box[j].sup() - box[j].inf();
+    return w;
   }
 
   void set_unknowns(Box& box, const Box& image) const
@@ -207,7 +211,7 @@ private:
 
   std::optional<Refusal> check_others(const Box& box)
   {
-    residuals(box);
+    evaluate(box);
     for (int k = 0; k < m_system.number_of_equations(); ++k)
       if (!(m_values[k].inf() <= 0 && m_values[k].sup() >= 0))
         return Refusal(Refusal_code::NOT_ON_SOLUTION,
