@@ -13,6 +13,7 @@
 
 #include <CGAL/Shape_interrogation/Constraints/Constraint_system.h>
 #include <CGAL/Shape_interrogation/Constraints/Entity_3.h>
+#include <CGAL/Shape_interrogation/Constraints/internal/parallel_constraint.h>
 #include <CGAL/Shape_interrogation/Differentiation/print_expression.h>
 
 #include <string>
@@ -50,11 +51,8 @@ inline Constraint_vector_3 normal_at(const Parametric_entity_3& surface,
 inline void require_parallel(Constraint_system& system, const Constraint_vector_3& a,
                              const Constraint_vector_3& b)
 {
-  const auto& u = a.components;
-  const auto& v = b.components;
-  const Coordinates<Expression, 3> e = internal::cross(u, v);
-  system.add(Constraint(a.name, "parallel to " + b.name, {e.begin(), e.end()}, 2,
-                        {{u.begin(), u.end()}, {v.begin(), v.end()}}));
+  system.add(internal::parallel_constraint(a.name, "parallel to " + b.name, a.components,
+                                           b.components));
 }
 
 /*!

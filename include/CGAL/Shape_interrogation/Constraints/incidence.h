@@ -13,6 +13,7 @@
 
 #include <CGAL/Shape_interrogation/Constraints/Constraint_system.h>
 #include <CGAL/Shape_interrogation/Constraints/Entity_3.h>
+#include <CGAL/Shape_interrogation/Constraints/internal/parallel_constraint.h>
 #include <CGAL/Shape_interrogation/Differentiation/print_expression.h>
 
 #include <string>
@@ -79,11 +80,9 @@ inline void require_on(Constraint_system& system, const Constraint_point_3& p,
 inline void require_on_line(Constraint_system& system, const Constraint_point_3& p,
                             const Constraint_point_3& a, const Constraint_point_3& b)
 {
-  const Coordinates<Expression, 3> u = vector_between(a, p).components;
-  const Coordinates<Expression, 3> v = vector_between(a, b).components;
-  const Coordinates<Expression, 3> e = internal::cross(u, v);
-  system.add(Constraint(p.name, "on the line of " + a.name + " and " + b.name,
-                        {e.begin(), e.end()}, 2, {{u.begin(), u.end()}, {v.begin(), v.end()}}));
+  system.add(internal::parallel_constraint(
+    p.name, "on the line of " + a.name + " and " + b.name, vector_between(a, p).components,
+    vector_between(a, b).components));
 }
 
 /*!

@@ -30,17 +30,6 @@ namespace Shape_interrogation {
 #ifndef DOXYGEN_RUNNING
 namespace internal {
 
-inline bool is_identifier(std::string_view name)
-{
-  const auto is_letter = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-  };
-  for (const char c : name)
-    if (!is_letter(c) && !is_digit(c))
-      return false;
-  return !name.empty() && !is_digit(name.front());
-}
-
 inline void check_variable_names(const std::vector<std::string>& names)
 {
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -49,10 +38,7 @@ inline void check_variable_names(const std::vector<std::string>& names)
     if (!is_identifier(name))
       throw Shape_error("the variable name '" + name + "' is not a letter or '_' followed by"
                         " letters, digits and '_'");
-    bool reserved = name == "pi";
-    for (const Named_function& f : named_functions)
-      reserved = reserved || name == f.name;
-    if (reserved)
+    if (is_reserved_name(name))
       throw Shape_error("the variable name '" + name + "' is reserved");
     if (std::find(names.begin(), names.begin() + i, name) != names.begin() + i)
       throw Shape_error("the variable name '" + name + "' occurs twice");

@@ -14,14 +14,13 @@
 
 #include <CGAL/Shape_interrogation/Surfaces/Implicit_surface_3.h>
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>
+#include <CGAL/Shape_interrogation/Waist/internal/Has_level_set.h>
 
 #include <CGAL/Interval_nt.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
-#include <type_traits>
-#include <utility>
 
 namespace CGAL {
 namespace Shape_interrogation {
@@ -90,17 +89,6 @@ Result<Projected_point_3> project_to_surface(const Implicit_surface_3<Function>&
   });
 }
 
-namespace internal {
-
-template <class Source, class Box, class = void>
-struct Encloses_level_sets : std::false_type {};
-template <class Source, class Box>
-struct Encloses_level_sets<Source, Box,
-                           std::void_t<decltype(std::declval<const Source&>().level_set_shape(
-                             std::declval<const Box&>()))>> : std::true_type {};
-
-} // namespace internal
-
 /*!
  * \ingroup PkgShapeInterrogationSurfaces
  * \brief encloses the second-order data of a surface over a box of queries: of every level set for
@@ -116,7 +104,7 @@ template <class Source, class Box>
 Result<Local_shape_3<Interval_nt<false>>> enclose_shape(const Source& source, const Box& box)
 {
   Interval_nt<false>::Protector protector;
-  if constexpr (internal::Encloses_level_sets<Source, Box>::value)
+  if constexpr (internal::Has_level_set<Source, Box>::value)
     return source.level_set_shape(box);
   else
     return source(box);

@@ -17,6 +17,7 @@
 #include <CGAL/Shape_interrogation/Analysis/umbilics.h>
 #include <CGAL/Shape_interrogation/Number_types/cast_argument.h>
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>
+#include <CGAL/Shape_interrogation/Waist/internal/Has_level_set.h>
 
 #include <type_traits>
 #include <utility>
@@ -82,13 +83,6 @@ struct Is_parabolic
 };
 
 namespace internal {
-
-template <class Source, class Query, class = void>
-struct Has_level_set : std::false_type {};
-template <class Source, class Query>
-struct Has_level_set<Source, Query,
-                     std::void_t<decltype(std::declval<const Source&>().level_set_shape(
-                       std::declval<const Query&>()))>> : std::true_type {};
 
 template <class Source, class Query, class = void>
 struct Has_shape_at_origin : std::false_type {};

@@ -23,24 +23,9 @@ namespace Shape_interrogation {
 
 namespace internal {
 
-inline bool is_variable_name(const std::string& name)
-{
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  const auto is_letter = [](char c) {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
-  };
-  for (const char c : name)
-    if (!is_letter(c) && !is_digit(c))
-      return false;
-  for (const Named_function& f : named_functions)
-    if (name == f.name)
-      return false;
-  return !name.empty() && !is_digit(name.front()) && name != "pi";
-}
-
 inline void check_new_variable(const std::string& name, const std::vector<std::string>& others)
 {
-  if (!is_variable_name(name))
+  if (!is_identifier(name) || is_reserved_name(name))
     throw Shape_error("'" + name + "' is no name for a variable: expected a letter or '_' followed"
                       " by letters, digits and '_', not 'pi' and not the name of a function");
   if (std::find(others.begin(), others.end(), name) != others.end())

@@ -9,9 +9,12 @@
 #ifndef CGAL_SHAPE_INTERROGATION_DIFFERENTIATION_INTERNAL_FUNCTION_NAMES_H
 #define CGAL_SHAPE_INTERROGATION_DIFFERENTIATION_INTERNAL_FUNCTION_NAMES_H
 
-// The functions of expressions by name, for the parser and the printer.
+// The functions of expressions by name, for the parser and the printer, and which names are left
+// for variables.
 
 #include <CGAL/Shape_interrogation/Differentiation/internal/Expression_node.h>
+
+#include <string_view>
 
 namespace CGAL {
 namespace Shape_interrogation {
@@ -37,6 +40,28 @@ inline const char* function_name(Expression_operation operation)
     if (f.operation == operation)
       return f.name;
   return "";
+}
+
+// What a variable may be called: a letter or '_', then letters, digits and '_'.
+inline bool is_identifier(std::string_view name)
+{
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  const auto is_letter = [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '_';
+  };
+  for (const char c : name)
+    if (!is_letter(c) && !is_digit(c))
+      return false;
+  return !name.empty() && !is_digit(name.front());
+}
+
+// Identifiers that are no names of variables.
+inline bool is_reserved_name(std::string_view name)
+{
+  for (const Named_function& f : named_functions)
+    if (name == f.name)
+      return true;
+  return name == "pi";
 }
 
 } // namespace internal
