@@ -1,0 +1,224 @@
+// Copyright (c) 2026 The Shape_interrogation authors.
+// All rights reserved.
+//
+// This file is part of Shape_interrogation, a package in the style of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+
+#ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_BOUNDARY_TRACER_H
+#define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_BOUNDARY_TRACER_H
+
+// Puts vertices on the curves in which a surface in n-space meets its bounds.
+
+#include <CGAL/Shape_interrogation/Meshing/internal/N_space_cover.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/Path_tracer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_interrogation {
+namespace internal {
+
+template <class Go_on>
+class Boundary_tracer
+{
+public:
+  Boundary_tracer(const N_space_system& system, N_space_cover& cover, Go_on go_on)
+    : m_system(system), m_cover(cover), m_go_on(go_on)
+  {}
+
+  // Sees to it that the boundary near a vertex that comes near the given side is traced. Returns
+  // false if there is no boundary of the surface near.
+  bool require(const Cover_vertex& near, int side)
+  {
+    const Result<Cover_vertex> landed = land(near, side);
+    if (!landed)
+      return false;
+    if (has_boundary_near(landed->chart, side, 0.75))
+      return true;
+    trace_from(*landed, side);
+    while (!m_corners.empty())
+    {
+      const auto [corner, next_side] = m_corners.back();
+      m_corners.pop_back();
+      const Cover_vertex start = m_cover.vertices()[corner];
+      if (!has_boundary_near(start.chart, next_side, 1.3, corner))
+        trace_from(start, next_side, corner);
+    }
+    return true;
+  }
+
+private:
+  static std::uint64_t bit(int side) { return std::uint64_t(1) << side; }
+
+  Result<Cover_vertex> land(const Cover_vertex& near, int side)
+  {
+    const Bound_side& s = m_cover.sides()[side];
+    Result<Cover_vertex> landed = correct_on(near.chart.point, side);
+    if (!landed)
+      return landed;
+    if (length(place_in(near.chart, landed->chart.point).at) > 1.8)
+      return Refusal(Refusal_code::OUTSIDE_DOMAIN, "the bound is far");
+    for (const Bound_side& other : m_cover.sides())
+      if (&other != &s && other.distance(landed->chart.point) < 0)
+        return Refusal(Refusal_code::OUTSIDE_DOMAIN, "another bound is nearer");
+    Cover_vertex v = *landed;
+    double turning;
+    m_cover.fit(v, near.chart, turning);
+    return v;
+  }
+
+  Result<Cover_vertex> correct_on(const std::vector<double>& p, int side)
+  {
+    const Bound_side& s = m_cover.sides()[side];
+    Result<Cover_vertex> v = m_cover.correct(p, {s.condition(p.size())});
+    if (!v)
+      return v;
+    Cover_vertex w = *v;
+    w.chart.point[s.variable] = s.value;
+    w.sides = bit(side);
+    return w;
+  }
+
+  bool has_boundary_near(const N_space_chart& chart, int side, double radius, int except = -1) const
+  {
+    bool found = false;
+    m_cover.for_each_near(chart, radius, [&](const Near_vertex& v) {
+      found |= v.vertex != except && (m_cover.vertices()[v.vertex].sides & bit(side)) != 0;
+    });
+    return found;
+  }
+
+  // Traces the boundary curve through a point, which is a vertex already if it is a corner.
+  void trace_from(const Cover_vertex& start, int side, int corner = -1)
+  {
+    Path_limits limits;
+    limits.cos_turning = std::cos(m_cover.max_turning());
+    Path_tracer tracer(m_system, {m_cover.sides()[side].condition(start.chart.point.size())},
+                       m_cover.sides(), limits);
+    const Result<Path_point> p = tracer.start(start.chart.point);
+    if (!p)
+      return;
+    Path_point s = *p;
+    s.point = start.chart.point;
+    std::vector<Cover_vertex> curve{start};
+    bool is_closed = false;
+    for (int direction = 0; direction < 2 && !is_closed; ++direction)
+    {
+      if (direction == 1)
+      {
+        std::reverse(curve.begin(), curve.end());
+        for (double& x : s.tangent)
+          x = -x;
+      }
+      if (corner < 0 || goes_inside(s, start.sides & ~bit(side)))
+        is_closed = follow(tracer, s, side, curve);
+    }
+    const bool keeps_front = corner >= 0 || is_corner(curve.front());
+    thin(curve, keeps_front, is_corner(curve.back()));
+    for (const Cover_vertex& v : curve)
+      add(v, side);
+  }
+
+  bool is_corner(const Cover_vertex& v) const { return (v.sides & (v.sides - 1)) != 0; }
+
+  bool goes_inside(const Path_point& p, std::uint64_t sides) const
+  {
+    for (std::size_t i = 0; i < m_cover.sides().size(); ++i)
+      if (sides & bit(static_cast<int>(i)))
+      {
+        const Bound_side& s = m_cover.sides()[i];
+        if (s.sign * p.tangent[s.variable] <= 0)
+          return false;
+      }
+    return true;
+  }
+
+  // Appends the points of a path. Returns whether it is closed.
+  bool follow(Path_tracer& tracer, const Path_point& start, int side,
+              std::vector<Cover_vertex>& curve)
+  {
+    N_space_chart chart = curve.back().chart;
+    const auto update = [&](const Path_point& p) {
+      Result<Cover_vertex> v = correct_on(p.point, side);
+      if (!v)
+        return;
+      Cover_vertex w = *v;
+      double turning;
+      m_cover.fit(w, chart, turning);
+      chart = w.chart;
+    };
+    const Path path = tracer.trace(start, [&](const Path_point& p) {
+      update(p);
+      return 0.85 * chart.unit();
+    }, m_go_on);
+    chart = curve.back().chart;
+    for (std::size_t i = 0; i < path.points.size(); ++i)
+    {
+      Result<Cover_vertex> v = correct_on(path.points[i].point, side);
+      if (!v)
+        continue;
+      Cover_vertex w = *v;
+      double turning;
+      m_cover.fit(w, chart, turning);
+      chart = w.chart;
+      if (path.end == Path_end::BOUND && i + 1 == path.points.size())
+      {
+        w.chart.point = path.points[i].point;
+        w.sides |= bit(path.side);
+      }
+      curve.push_back(w);
+    }
+    return path.end == Path_end::CLOSED;
+  }
+
+  // Removes points that are too near to an end that stays.
+  static void thin(std::vector<Cover_vertex>& curve, bool keeps_front, bool keeps_back)
+  {
+    const auto is_near = [](const Cover_vertex& a, const Cover_vertex& b) {
+      return length(place_in(a.chart, b.chart.point).at) < 0.45;
+    };
+    if (keeps_back && curve.size() > 2 && is_near(curve.back(), curve[curve.size() - 2]))
+      curve.erase(curve.end() - 2);
+    if (keeps_front && curve.size() > 2 && is_near(curve.front(), curve[1]))
+      curve.erase(curve.begin() + 1);
+  }
+
+  // Corners are shared by the curves that end there.
+  void add(const Cover_vertex& v, int side)
+  {
+    if (!is_corner(v))
+    {
+      m_cover.insert(v);
+      return;
+    }
+    int corner = -1;
+    m_cover.for_each_near(v.chart, 0.3, [&](const Near_vertex& near) {
+      if (is_corner(m_cover.vertices()[near.vertex]))
+        corner = near.vertex;
+    });
+    if (corner < 0)
+      corner = m_cover.insert(v);
+    else
+      m_cover.add_sides(corner, v.sides);
+    for (int i = 0; i < static_cast<int>(m_cover.sides().size()); ++i)
+      if (i != side && (v.sides & bit(i)))
+        m_corners.emplace_back(corner, i);
+  }
+
+  const N_space_system& m_system;
+  N_space_cover& m_cover;
+  Go_on m_go_on;
+  std::vector<std::pair<int, int>> m_corners; // with the side still to be traced
+};
+
+} // namespace internal
+} // namespace Shape_interrogation
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_BOUNDARY_TRACER_H

@@ -1,0 +1,95 @@
+// Copyright (c) 2026 The Shape_interrogation authors.
+// All rights reserved.
+//
+// This file is part of Shape_interrogation, a package in the style of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+
+#ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_BRANCH_DETECTOR_H
+#define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_BRANCH_DETECTOR_H
+
+// Tells whether a curve in n-space passes through a point where its equations become dependent. At
+// a simple crossing of two branches the determinant of the Jacobian, completed by the tangent,
+// changes its sign between points on either side, however near to each other they are.
+
+#include <CGAL/Shape_interrogation/Surfaces/N_space_condition.h>
+#include <CGAL/Shape_interrogation/Surfaces/N_space_system.h>
+
+#include <Eigen/Dense>
+
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_interrogation {
+namespace internal {
+
+class Branch_detector
+{
+public:
+  // Dense matrices are used: for systems with more variables nothing is detected.
+  static constexpr int most_variables = 96;
+
+  Branch_detector(const N_space_system& system, const std::vector<N_space_condition>& fixed)
+    : m_system(system), m_fixed(fixed), m_n(system.number_of_variables())
+  {}
+
+  bool is_able() const { return m_n <= most_variables; }
+
+  // Whether the same independent rows have determinants of opposite sign at both points. That
+  // happens also where only these rows become dependent: see independence().
+  bool may_branch(const std::vector<double>& p, const std::vector<double>& tp,
+                  const std::vector<double>& q, const std::vector<double>& tq) const
+  {
+    const Eigen::MatrixXd jp = jacobian(p), jq = jacobian(q);
+    const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jq.transpose());
+    return sign(jp, tp, qr.colsPermutation().indices()) * sign(jq, tq,
+                                                               qr.colsPermutation().indices()) < 0;
+  }
+
+  // The distance of all rows together from lower rank, as a part of their size.
+  double independence(const std::vector<double>& p) const
+  {
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian(p));
+    const auto& values = svd.singularValues();
+    return values.size() < m_n - 1 || !(values(0) > 0) ? 0 : values(m_n - 2) / values(0);
+  }
+
+private:
+  Eigen::MatrixXd jacobian(const std::vector<double>& p) const
+  {
+    const Sparse_pattern& pattern = m_system.tape().gradient_pattern();
+    const std::vector<double> gradient = m_system.tape().gradient(p);
+    const int m = m_system.number_of_equations();
+    Eigen::MatrixXd j = Eigen::MatrixXd::Zero(m + static_cast<int>(m_fixed.size()), m_n);
+    for (int k = 0; k < m; ++k)
+      for (std::size_t e = pattern.row_starts[k]; e < pattern.row_starts[k + 1]; ++e)
+        j(k, pattern.columns[e]) = gradient[e];
+    for (std::size_t c = 0; c < m_fixed.size(); ++c)
+      for (int i = 0; i < m_n; ++i)
+        j(m + static_cast<int>(c), i) = m_fixed[c].coefficients[i];
+    return j;
+  }
+
+  template <class Rows>
+  int sign(const Eigen::MatrixXd& j, const std::vector<double>& tangent, const Rows& rows) const
+  {
+    Eigen::MatrixXd square(m_n, m_n);
+    for (int k = 0; k < m_n - 1; ++k)
+      square.row(k) = j.row(rows(k)).normalized();
+    square.row(m_n - 1) = Eigen::Map<const Eigen::RowVectorXd>(tangent.data(), m_n);
+    const double d = square.partialPivLu().determinant();
+    return d > 0 ? 1 : d < 0 ? -1 : 0;
+  }
+
+  const N_space_system& m_system;
+  const std::vector<N_space_condition>& m_fixed;
+  int m_n;
+};
+
+} // namespace internal
+} // namespace Shape_interrogation
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_BRANCH_DETECTOR_H
