@@ -23,9 +23,15 @@
 namespace interrogate {
 
 // What a member may be. Parametric surfaces are those that have parameters, patches too.
-enum Member_kind { IMPLICIT = 1, PARAMETRIC = 2, CURVE = 4, POINT = 8 };
-constexpr int SURFACE = IMPLICIT | PARAMETRIC;
-constexpr int ENTITY = SURFACE | CURVE | POINT;
+enum : int
+{
+  IMPLICIT = 1,
+  PARAMETRIC = 2,
+  CURVE = 4,
+  POINT = 8,
+  SURFACE = IMPLICIT | PARAMETRIC,
+  ENTITY = SURFACE | CURVE | POINT
+};
 
 // An ingredient with the ranges of its parameters, if it has any.
 struct Member

@@ -24,6 +24,7 @@
 #include <CGAL/Shape_interrogation/Differentiation/parse_expression.h>
 #include <CGAL/Shape_interrogation/Number_types/Quadratic_field.h>
 #include <CGAL/Shape_interrogation/Surfaces/Implicit_surface_3.h>
+#include <CGAL/Shape_interrogation/Surfaces/N_space_bound.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_surface_3.h>
 #include <CGAL/Shape_interrogation/Surfaces/Parametric_surface_3.h>
 
@@ -635,6 +636,30 @@ TEST(Violations, in_words)
   const Interval wide(-0.125, 0.125);
   EXPECT_TRUE(system.violated(std::vector<Interval>{2, wide, wide, 1, wide, wide}).empty());
   EXPECT_EQ(1u, system.violated(std::vector<Interval>{3, wide, wide, 1, 0, 0}).size());
+}
+
+// The bounds of a ruled surface: its segments out of its lines.
+TEST(Bounds, of_variables)
+{
+  const auto system = trimming_surface(implicit("x^2+y^2+z^2-1"), implicit("z"));
+  const std::vector<N_space_bound> bounds{{system.find_variable("lambda"), fraction(-1, 3), 1}};
+  const auto refusal = [&](const auto& lambda) {
+    using NT = std::decay_t<decltype(lambda)>;
+    const NT x = NT(1) + NT(2) * lambda;
+    const std::vector<NT> point{x, NT(0), NT(0), NT(1), NT(0), NT(0), lambda};
+    return refuse_outside_bounds(point, bounds, system.variables());
+  };
+  EXPECT_FALSE(refusal(fraction(-1, 3)));
+  EXPECT_FALSE(refusal(Q(1)));
+  EXPECT_FALSE(refusal(-1.0 / 3));
+  EXPECT_TRUE(refusal(1.0000001));
+  using Interval = CGAL::Interval_nt<true>;
+  EXPECT_FALSE(refusal(Interval(-2, -0.25)));
+  EXPECT_TRUE(refusal(Interval(1.25, 2)));
+  const Q beyond = fraction(-1, 3) - Q(1) / Q("1267650600228229401496703205376");
+  ASSERT_TRUE(refusal(beyond));
+  EXPECT_EQ(Refusal_code::OUTSIDE_DOMAIN, refusal(beyond)->code());
+  EXPECT_EQ("lambda = 2 is outside of the bounds [-1/3, 1]", refusal(Q(2))->evidence());
 }
 
 TEST(Constraint_system, names_of_variables)

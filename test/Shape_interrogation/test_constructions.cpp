@@ -445,7 +445,7 @@ TEST(Construction, messages_name_the_place)
     {R"("kind":"offset_system","of":"wide","distance":1)",
      "surfaces.t: the domain of the parameter p_t has a root, and bounds are rational"},
     {R"("kind":"offset_system","of":"i","distance":1,"bounds":{"lambda":[0,1]})",
-     "surfaces.t.bounds.lambda: there is no variable of this name, the variables are: x, y, z, p_x"},
+     "surfaces.t.bounds.lambda: there is no variable of this name, the variables are: x, y, z, p"},
     {R"("kind":"offset_system","of":"i","distance":1,"bounds":{"p_x":[1,0]})",
      "surfaces.t.bounds.p_x: the first number of a range must be less than the second"},
     {R"f("kind":"offset_system","of":"i","distance":1,"bounds":{"p_x":[0,"sqrt(2)"]})f",
@@ -470,8 +470,8 @@ TEST(Construction, messages_name_the_place)
     {R"("kind":"trimming_surface","of":["i",{"kind":"parametric_3","x":["t","0","0"]}])",
      "surfaces.t.of[1]: expected " + surfaces + ", found a curve of the kind \"parametric_3\""},
     {R"("kind":"parametric_graph","of":"i")",
-     "surfaces.t.of: expected a surface with parameters (parametric, bezier, nurbs), found a surface"
-     " of the kind \"implicit\""},
+     "surfaces.t.of: expected a surface with parameters (parametric, bezier, nurbs), found a"
+     " surface of the kind \"implicit\""},
     {R"("kind":"offset_system","of":"i","distance":1)",
      "tasks[0].at.point: expected an array of 6 numbers (x, y, z, p_x, p_y, p_z), found an array"}};
   for (const auto& [surface, message] : cases)
@@ -487,14 +487,14 @@ TEST(Construction, none_is_made_from_others)
   const std::string distance = R"(,"distance":1})";
   EXPECT_EQ("surfaces.a.of: surfaces are made from each other in a circle: a, b, c, a",
             message_for(start + R"("a":{"kind":"offset_system","of":"b")" + distance +
-                        R"(,"b":{"kind":"equal_distance","of":["i","c"]},)" +
-                        R"("c":{"kind":"variable_radius_blend","of":["i","i"],"reference":"a"}}})"));
+                        R"(,"b":{"kind":"equal_distance","of":["i","c"]},"c":{)" +
+                        R"("kind":"variable_radius_blend","of":["i","i"],"reference":"a"}}})"));
   const std::string message =
     message_for(start + R"("a":{"kind":"offset_system","of":"b")" + distance +
                 R"(,"b":{"kind":"offset_system","of":"i")" + distance + "}}");
   EXPECT_EQ(0u, message.find("surfaces.a.of: expected a surface")) << message;
-  EXPECT_NE(std::string::npos, message.find("found a surface of the kind \"offset_system\", which is"
-                                            " a system itself"));
+  EXPECT_NE(std::string::npos, message.find("found a surface of the kind \"offset_system\", which"
+                                            " is a system itself"));
 }
 
 // Members that only a later version offers are no error of the model, nor are curves in space.

@@ -43,8 +43,8 @@ struct N_space_bound
 
 /*!
  * \ingroup PkgShapeInterrogationSurfaces
- * \brief refuses a point that certainly is outside of the bounds (`OUTSIDE_DOMAIN`), with a sentence
- * that names the variable.
+ * \brief refuses a point that certainly is outside of the bounds (`OUTSIDE_DOMAIN`), and names the
+ * variable.
  *
  * \details Points on a bound are inside. The decision is exact in exact types; an enclosure is
  * refused if no value in it is inside; in floating point the ends of the range are rounded.
