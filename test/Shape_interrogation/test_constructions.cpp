@@ -92,7 +92,8 @@ void expect_near(const Task_result& exact, const Task_result& other)
   ASSERT_EQ(other.number_type == "interval" ? other.status : "ok", other.status) << other.text;
   ASSERT_TRUE(other.fields.contains("gaussian_curvature")) << other.text;
   const double k = exact.fields["gaussian_curvature"]["approx"];
-  EXPECT_NEAR(k, other.fields["gaussian_curvature"]["approx"].get<double>(), 1e-9 * (1 + std::abs(k)));
+  const double approx = other.fields["gaussian_curvature"]["approx"];
+  EXPECT_NEAR(k, approx, 1e-9 * (1 + std::abs(k)));
 }
 
 void expect_closed_form(const Pair& pair)
