@@ -11,7 +11,8 @@
 
 // A model as it was read and checked: surfaces, curves and tasks, with all numbers still exact.
 
-#include <CGAL/Shape_interrogation/Differentiation/Expression.h>
+#include <CGAL/Shape_interrogation/Constraints/Constraint_system.h>
+#include <CGAL/Shape_interrogation/Surfaces/N_space_bound.h>
 
 #include <array>
 #include <cstddef>
@@ -24,7 +25,9 @@
 
 namespace interrogate {
 
-using CGAL::Shape_interrogation::Expression;
+namespace si = CGAL::Shape_interrogation;
+
+using si::Expression;
 
 using Number = Expression; // without variables
 using Rational = CGAL::Exact_rational;
@@ -66,12 +69,29 @@ struct Spline_model
   bool is_rational = false;
 };
 
-// The projection of the common zeros of m functions of n variables onto the first three.
+// A curve in space, which constructions are made of: three functions of one parameter, or control
+// points with their weights.
+struct Space_curve_model
+{
+  struct Spline
+  {
+    int degree = 0;
+    std::vector<Rational> knots; // none for a Bezier curve
+    std::vector<Numbers<4>> control_points;
+  };
+
+  std::string kind;
+  std::variant<Parametric_model, Spline> data;
+};
+
+// The projection of the common zeros of m functions of n variables onto the first three. Each
+// variable has one bound at most, and they are in the order of the variables.
 struct System_model
 {
   std::vector<std::string> variables;
   std::vector<Expression> equations;
-  std::map<std::string, Range> bounds;
+  std::vector<si::N_space_bound> bounds;
+  std::optional<si::Constraint_system> constraints; // of a construction
 };
 
 // A kind of the format that this version does not offer.
@@ -82,12 +102,14 @@ struct Unsupported
 
 struct Surface_model
 {
+  std::string kind;
   std::variant<Implicit_model, Parametric_model, Patch_model, System_model, Unsupported> data;
   bool flip = false;
   std::optional<std::array<Rational, 3>> orient; // of a system
 };
 
-using Curve_model = std::variant<Implicit_model, Parametric_model, Spline_model, Unsupported>;
+using Curve_model = std::variant<Implicit_model, Parametric_model, Spline_model, Space_curve_model,
+                                 Unsupported>;
 
 enum class Number_type { EXACT, INTERVAL, DOUBLE, FILTERED };
 

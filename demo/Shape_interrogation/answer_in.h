@@ -48,7 +48,7 @@ si::Result<Shapes<NT>> shapes_of(const Surface_model& surface, const std::vector
                                  const std::vector<NT>& direction)
 {
   const auto* system = std::get_if<System_model>(&surface.data);
-  return system ? system_shapes(make_surface(*system, surface.orient), at, direction)
+  return system ? system_shapes(*system, surface.orient, at, direction)
                 : surface_shapes(surface, at);
 }
 

@@ -61,6 +61,19 @@ void check_files(const std::vector<Task>& tasks, const Json_place& place)
   }
 }
 
+// Constructions come last, as they are made from other surfaces and from curves.
+void read_surfaces(const Json_place& place, Model& model)
+{
+  for (const auto& [name, surface] : place.fields("an object {name: surface}"))
+    if (!is_construction(surface))
+      model.surfaces.emplace(name, read_surface(surface));
+  std::map<std::string, Surface_model> constructions;
+  for (const auto& [name, surface] : place.fields("an object {name: surface}"))
+    if (is_construction(surface))
+      constructions.emplace(name, read_construction(surface, name, model, place));
+  model.surfaces.merge(constructions);
+}
+
 } // namespace
 
 Model read_model(std::string_view text)
@@ -69,12 +82,11 @@ Model read_model(std::string_view text)
   const Json_place root(json);
   root.allow_only({"surfaces", "curves", "tasks"});
   Model model;
-  if (const std::optional<Json_place> surfaces = root.find("surfaces"))
-    for (const auto& [name, surface] : surfaces->fields("an object {name: surface}"))
-      model.surfaces.emplace(name, read_surface(surface));
   if (const std::optional<Json_place> curves = root.find("curves"))
     for (const auto& [name, curve] : curves->fields("an object {name: curve}"))
       model.curves.emplace(name, read_curve(curve));
+  if (const std::optional<Json_place> surfaces = root.find("surfaces"))
+    read_surfaces(*surfaces, model);
   const Json_place tasks = root.field("tasks");
   for (const Json_place& task : tasks.elements("an array of tasks"))
   {

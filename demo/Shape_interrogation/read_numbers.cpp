@@ -61,13 +61,30 @@ Number read_number(const Json_place& place)
   return parse_at(place, "a number", [&] { return si::parse_number(text); });
 }
 
-Number read_length(const Json_place& place)
+Number read_positive(const Json_place& place)
 {
   const Number number = read_number(place);
   const bool is_positive =
     parse_at(place, "a number", [&] { return is_certainly_less(Number(0), number); });
   if (!is_positive)
     place.expected("a number greater than 0");
+  return number;
+}
+
+Number read_nonzero(const Json_place& place)
+{
+  const Number number = read_number(place);
+  const bool is_nonzero = parse_at(place, "a number", [&] {
+    return is_certainly_less(Number(0), number) || is_certainly_less(number, Number(0));
+  });
+  if (!is_nonzero)
+    place.expected("a number that is not 0");
+  return number;
+}
+
+Number read_length(const Json_place& place)
+{
+  const Number number = read_positive(place);
   const double length = parse_at(place, "a number", [&] { return evaluate<double>(number); });
   if (!(length > 0 && std::isfinite(length)))
     place.fail("a length is used in floating point, where this one is zero or infinite");

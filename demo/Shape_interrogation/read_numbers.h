@@ -25,6 +25,9 @@ namespace interrogate {
 // A JSON number or a string expression, exactly.
 Number read_number(const Json_place& place);
 
+Number read_positive(const Json_place& place);
+Number read_nonzero(const Json_place& place);
+
 // A positive number that is one in floating point, too.
 Number read_length(const Json_place& place);
 

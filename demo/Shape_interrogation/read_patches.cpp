@@ -61,10 +61,13 @@ void read_control_net(const Json_place& place, Patch_model& model)
   }
 }
 
-void read_control_polygon(const Json_place& place, Spline_model& model)
+template <std::size_t d>
+std::vector<Numbers<d + 1>> read_control_polygon(const Json_place& place, bool& is_rational)
 {
+  std::vector<Numbers<d + 1>> points;
   for (const Json_place& point : at_least_two(place, "an array of two or more control points"))
-    model.control_points.push_back(read_control_point<2>(point, model.is_rational));
+    points.push_back(read_control_point<d>(point, is_rational));
+  return points;
 }
 
 int bezier_degree(const Json_place& place, std::size_t points)
@@ -134,7 +137,7 @@ Spline_model read_bezier_curve(const Json_place& place)
   place.allow_only({"kind", "control_points"});
   const Json_place points = place.field("control_points");
   Spline_model model;
-  read_control_polygon(points, model);
+  model.control_points = read_control_polygon<2>(points, model.is_rational);
   model.degree = bezier_degree(points, model.control_points.size());
   return model;
 }
@@ -143,9 +146,30 @@ Spline_model read_nurbs_curve(const Json_place& place)
 {
   place.allow_only({"kind", "degree", "knots", "control_points"});
   Spline_model model;
-  read_control_polygon(place.field("control_points"), model);
+  model.control_points = read_control_polygon<2>(place.field("control_points"), model.is_rational);
   model.degree = read_degree(place.field("degree"), model.control_points.size());
   model.knots = read_knots(place.field("knots"), model.degree, model.control_points.size());
+  return model;
+}
+
+Space_curve_model::Spline read_space_spline(const Json_place& place, bool has_knots)
+{
+  if (has_knots)
+    place.allow_only({"kind", "degree", "knots", "control_points"});
+  else
+    place.allow_only({"kind", "control_points"});
+  const Json_place points = place.field("control_points");
+  Space_curve_model::Spline model;
+  bool is_rational = false;
+  model.control_points = read_control_polygon<3>(points, is_rational);
+  const std::size_t size = model.control_points.size();
+  if (!has_knots)
+  {
+    model.degree = bezier_degree(points, size);
+    return model;
+  }
+  model.degree = read_degree(place.field("degree"), size);
+  model.knots = read_knots(place.field("knots"), model.degree, size);
   return model;
 }
 

@@ -19,17 +19,16 @@ namespace interrogate {
 
 namespace {
 
-const std::vector<std::string> surface_kinds = {"implicit", "parametric", "bezier", "nurbs",
-                                                "system"};
+const std::vector<std::string> surface_kinds = {
+  "implicit", "parametric", "bezier", "nurbs", "system", "ruled_by_projection", "offset_system",
+  "equal_distance", "rolling_ball", "variable_radius_blend", "trimming_surface",
+  "parametric_graph"};
 const std::vector<std::string> later_surface_kinds = {
-  "ruled_by_projection", "offset_system", "equal_distance", "rolling_ball",
-  "variable_radius_blend", "trimming_surface", "parametric_graph", "offset", "bisector",
-  "functional_spline", "product_level", "normalform_expression", "blend"};
-const std::vector<std::string> curve_kinds = {"implicit_2", "parametric_2", "bezier_2",
-                                              "nurbs_2"};
+  "offset", "bisector", "functional_spline", "product_level", "normalform_expression", "blend"};
+const std::vector<std::string> curve_kinds = {"implicit_2", "parametric_2", "bezier_2", "nurbs_2",
+                                              "parametric_3", "bezier_3", "nurbs_3"};
 const std::vector<std::string> later_curve_kinds = {
-  "offset", "bisector", "normalform_expression", "parabolic_functional_spline", "parametric_3",
-  "bezier_3", "nurbs_3"};
+  "offset", "bisector", "normalform_expression", "parabolic_functional_spline"};
 
 bool contains(const std::vector<std::string>& names, const std::string& name)
 {
@@ -68,51 +67,16 @@ Parametric_model read_parametric_surface(const Json_place& place)
   return model;
 }
 
-Parametric_model read_parametric_curve(const Json_place& place)
+Parametric_model read_parametric_curve(const Json_place& place, int dimension)
 {
+  place.allow_only({"kind", "x", "parameter", "domain"});
   Parametric_model model;
   const std::optional<Json_place> name = place.find("parameter");
   model.parameters = {name ? read_name(*name, "the name of the parameter") : "t"};
-  model.x = read_functions(place.field("x"), 2, model.parameters);
+  model.x = read_functions(place.field("x"), dimension, model.parameters);
   if (const std::optional<Json_place> domain = place.find("domain"))
     model.domain.emplace(1, read_range(*domain));
   return model;
-}
-
-void check_bound_names(const Json_place& bounds, const System_model& model)
-{
-  for (const auto& [name, range] : bounds.fields("an object {variable: [lo,hi]}"))
-    if (!contains(model.variables, name))
-      range.fail("there is no variable of this name, the variables are: " +
-                 listed(model.variables));
-}
-
-System_model read_system(const Json_place& place)
-{
-  System_model model;
-  const Json_place variables = place.field("variables");
-  model.variables = read_names(variables, "an array of names");
-  if (model.variables.size() < 3)
-    variables.fail("a system needs three variables or more, the first three are those of space");
-  const Json_place equations = place.field("equations");
-  for (const Json_place& f : equations.elements("an array of functions"))
-    model.equations.push_back(read_function(f, model.variables));
-  if (const std::optional<Json_place> bounds = place.find("bounds"))
-  {
-    check_bound_names(*bounds, model);
-    for (const auto& [name, range] : bounds->fields("an object"))
-      model.bounds.emplace(name, read_range(range));
-  }
-  return model;
-}
-
-std::array<Rational, 3> read_orientation(const Json_place& place)
-{
-  std::array<Rational, 3> direction;
-  const std::vector<Json_place> components = place.elements(3, "a vector of three numbers");
-  for (int i = 0; i < 3; ++i)
-    direction[i] = read_rational(components[i]);
-  return direction;
 }
 
 [[noreturn]] void unknown_kind(const Json_place& place, const char* what,
@@ -130,6 +94,7 @@ Surface_model read_surface(const Json_place& place)
   const Json_place kind_place = place.field("kind");
   const std::string& kind = kind_place.string("the kind of the surface, a string");
   Surface_model surface;
+  surface.kind = kind;
   if (contains(later_surface_kinds, kind))
     surface.data = Unsupported{kind};
   else if (kind == "implicit")
@@ -148,10 +113,8 @@ Surface_model read_surface(const Json_place& place)
     surface.data = read_nurbs_surface(place);
   else if (kind == "system")
   {
-    place.allow_only({"kind", "variables", "equations", "bounds", "orient", "flip"});
     surface.data = read_system(place);
-    if (const std::optional<Json_place> orient = place.find("orient"))
-      surface.orient = read_orientation(*orient);
+    read_orientation(place, surface);
   }
   else
     unknown_kind(kind_place, "surface", surface_kinds, later_surface_kinds);
@@ -159,6 +122,11 @@ Surface_model read_surface(const Json_place& place)
     if (const std::optional<Json_place> flip = place.find("flip"))
       surface.flip = flip->boolean();
   return surface;
+}
+
+bool is_curve_kind(const std::string& kind)
+{
+  return contains(curve_kinds, kind);
 }
 
 Curve_model read_curve(const Json_place& place)
@@ -173,14 +141,15 @@ Curve_model read_curve(const Json_place& place)
     return read_implicit(place, {"x", "y"});
   }
   if (kind == "parametric_2")
-  {
-    place.allow_only({"kind", "x", "parameter", "domain"});
-    return read_parametric_curve(place);
-  }
+    return read_parametric_curve(place, 2);
   if (kind == "bezier_2")
     return read_bezier_curve(place);
   if (kind == "nurbs_2")
     return read_nurbs_curve(place);
+  if (kind == "parametric_3")
+    return Space_curve_model{kind, read_parametric_curve(place, 3)};
+  if (kind == "bezier_3" || kind == "nurbs_3")
+    return Space_curve_model{kind, read_space_spline(place, kind == "nurbs_3")};
   unknown_kind(kind_place, "curve", curve_kinds, later_curve_kinds);
 }
 

@@ -55,18 +55,24 @@ const Shape& read_name(const Json_place& place, const std::map<std::string, Shap
   return at->second;
 }
 
-// What a locator must hold: the field and the number of coordinates.
+// What a locator must hold: the field, the number of coordinates, and the names of the variables
+// where there are more than those of space.
 struct Place_form
 {
   const char* field;
   std::size_t size;
+  const std::vector<std::string>* names = nullptr;
 };
 
 Place_form form_of(const Implicit_model& m) { return {"point", m.variables.size()}; }
 Place_form form_of(const Parametric_model& m) { return {"parameters", m.parameters.size()}; }
 Place_form form_of(const Patch_model&) { return {"parameters", 2}; }
 Place_form form_of(const Spline_model&) { return {"parameters", 1}; }
-Place_form form_of(const System_model& m) { return {"point", m.variables.size()}; }
+Place_form form_of(const System_model& m)
+{
+  return {"point", m.variables.size(), &m.variables};
+}
+Place_form form_of(const Space_curve_model&) { return {"", 0}; }
 Place_form form_of(const Unsupported&) { return {"", 0}; }
 
 std::vector<Number> read_locator(const Json_place& place, const Place_form& form)
@@ -74,7 +80,16 @@ std::vector<Number> read_locator(const Json_place& place, const Place_form& form
   place.allow_only({form.field});
   const std::string what = "an array of " + std::to_string(form.size) +
                            (form.size == 1 ? " number" : " numbers");
-  return read_numbers(place.field(form.field), form.size, what);
+  const Json_place numbers = place.field(form.field);
+  if (!form.names)
+    return read_numbers(numbers, form.size, what);
+  if (numbers.kind() != Json::Kind::OBJECT)
+    return read_numbers(numbers, form.size, what + " (" + listed(*form.names) + ")");
+  numbers.allow_only(*form.names);
+  std::vector<Number> point;
+  for (const std::string& name : *form.names)
+    point.push_back(read_number(numbers.field(name)));
+  return point;
 }
 
 // Fields of the format that this version takes no part in.
@@ -128,6 +143,9 @@ Task_data read_curve_curvature(const Json_place& place, const Model& model)
   const Curve_model& curve = read_name(name, model.curves, "curve");
   if (const Unsupported* unsupported = std::get_if<Unsupported>(&curve))
     return no_kind(unsupported->kind);
+  if (const Space_curve_model* in_space = std::get_if<Space_curve_model>(&curve))
+    return Unsupported_task{"the curvature of curves in space (" + in_space->kind +
+                            ") is not available in this version"};
   const Json_place at = place.field("at");
   if (asks_for_enclosure(at))
     return Unsupported_task{"\"enclose\" in a locator is not available in this version"};

@@ -9,11 +9,15 @@
 #ifndef INTERROGATE_SYSTEM_SHAPES_H
 #define INTERROGATE_SYSTEM_SHAPES_H
 
-// Systems in n-space: the primitive normal of the report, and directions in n-space.
+// Systems in n-space: the primitive normal of the report, bounds, directions in n-space, and what
+// constructions say in words.
 
 #include "surface_shapes.h"
 
+#include <array>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace interrogate {
 
@@ -97,14 +101,30 @@ std::optional<si::Refusal> refuse_orientation(const si::N_space_surface_3& surfa
   return std::nullopt;
 }
 
+// A point that is no solution of a construction is told in its words.
 template <class NT>
-si::Result<Shapes<NT>> system_shapes(const si::N_space_surface_3& surface,
-                                     const std::vector<NT>& at,
-                                     const std::vector<NT>& direction)
+si::Refusal in_words(const si::Refusal& refusal, const System_model& model,
+                     const std::vector<NT>& at)
 {
+  if (refusal.code() != si::Refusal_code::NOT_ON_SOLUTION || !model.constraints)
+    return refusal;
+  std::string sentences;
+  for (const si::Violation<NT>& violation : model.constraints->violated(at))
+    sentences += violation.sentence + "; ";
+  return si::Refusal(refusal.code(), sentences + refusal.evidence());
+}
+
+template <class NT>
+si::Result<Shapes<NT>> system_shapes(const System_model& model,
+                                     const std::optional<std::array<Rational, 3>>& orient,
+                                     const std::vector<NT>& at, const std::vector<NT>& direction)
+{
+  if (auto refusal = si::refuse_outside_bounds(at, model.bounds, model.variables))
+    return *refusal;
+  const si::N_space_surface_3 surface = make_surface(model, orient);
   const si::Result<si::Local_shape_3<NT>> shape = surface(at);
   if (!shape)
-    return shape.refusal();
+    return in_words(shape.refusal(), model, at);
   if (auto refusal = refuse_orientation(surface, shape->normal()))
     return *refusal;
   if (direction.size() > 3 && direction.size() == at.size())

@@ -24,11 +24,13 @@
 #include <CGAL/Shape_interrogation/Differentiation/parse_expression.h>
 #include <CGAL/Shape_interrogation/Number_types/Quadratic_field.h>
 #include <CGAL/Shape_interrogation/Surfaces/Implicit_surface_3.h>
+#include <CGAL/Shape_interrogation/Surfaces/N_space_bound.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_surface_3.h>
 #include <CGAL/Shape_interrogation/Surfaces/Parametric_surface_3.h>
 
 #include <gtest/gtest.h>
 
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -109,7 +111,8 @@ void expect_proportional(const Local_shape_3<NT>& a, const Local_shape_3<NT>& b)
                                                 : sign_of_mean_curvature(b));
 }
 
-// A system with its surface and, if there is one, the closed form of that.
+// A system with its surface and, if there is one, the closed form of that, to which it is compared
+// at 20 points or more.
 class Construction
 {
 public:
@@ -120,6 +123,8 @@ public:
     EXPECT_EQ(2, m_system.expected_dimension());
     EXPECT_TRUE(CGAL::certainly(verify_identities(m_system)));
   }
+
+  ~Construction() { EXPECT_TRUE(m_points.empty() || m_points.size() >= 20u) << m_points.size(); }
 
   template <class NT>
   Local_shape_3<NT> shape(const std::vector<NT>& point) const
@@ -132,8 +137,9 @@ public:
     return *result;
   }
 
-  void expect_closed_form(const Values& point) const
+  void expect_closed_form(const Values& point)
   {
+    m_points.insert(point);
     const auto expected = m_closed_form(Point{point[0], point[1], point[2]});
     ASSERT_TRUE(expected) << expected.refusal().evidence();
     expect_proportional(*expected, shape(point));
@@ -145,6 +151,7 @@ private:
   Constraint_system m_system;
   N_space_surface_3 m_surface;
   Implicit_surface_3<Expression_function<3>> m_closed_form;
+  std::set<Values> m_points;
 };
 
 // --- Offsets -------------------------------------------------------------------------------------
@@ -153,10 +160,10 @@ TEST(Offset_system, sphere)
 {
   const Q d = fraction(-3, 7); // of the radius 4/7
   const std::string sphere = "x^2+y^2+z^2-16/49";
-  const Construction of_implicit(offset_system(implicit("x^2+y^2+z^2-1"), d), sphere);
-  const Construction of_point(offset_system(Constraint_point_3{"", {0, 0, 0}}, fraction(4, 7)),
+  Construction of_implicit(offset_system(implicit("x^2+y^2+z^2-1"), d), sphere);
+  Construction of_point(offset_system(Constraint_point_3{"", {0, 0, 0}}, fraction(4, 7)),
                               sphere);
-  const Construction of_patch(
+  Construction of_patch(
     offset_system(parametric("2*s", "2*t", "s^2+t^2-1", "1+s^2+t^2"), d), sphere);
   EXPECT_EQ(6, of_implicit.system().number_of_variables());
   EXPECT_EQ(5, of_implicit.system().number_of_equations());
@@ -176,8 +183,8 @@ TEST(Offset_system, cylinder)
 {
   const Q d = fraction(2, 3);
   const std::string cylinder = "x^2+y^2-25/9";
-  const Construction of_implicit(offset_system(implicit("x^2+y^2-1"), d), cylinder);
-  const Construction of_axis(offset_system(curve("0", "0", "r"), fraction(5, 3)), cylinder);
+  Construction of_implicit(offset_system(implicit("x^2+y^2-1"), d), cylinder);
+  Construction of_axis(offset_system(curve("0", "0", "r"), fraction(5, 3)), cylinder);
   Random random(2);
   for (int i = 0; i < number_of_points; ++i)
   {
@@ -192,11 +199,11 @@ TEST(Offset_system, cylinder)
 TEST(Offset_system, torus)
 {
   const std::string torus = "(x^2+y^2+z^2+8)^2-36*(x^2+y^2)";
-  const Construction of_implicit(
+  Construction of_implicit(
     offset_system(implicit("(x^2+y^2+z^2+35/4)^2-36*(x^2+y^2)"), fraction(1, 2)), torus);
   const auto circle =
     Curve_entity_3::bezier({{3, 0, 0, 1}, {3, 3, 0, 1}, {0, 6, 0, 2}}, "the circle");
-  const Construction of_curve(offset_system(circle, 1), torus);
+  Construction of_curve(offset_system(circle, 1), torus);
   EXPECT_EQ("p is the projection of q onto the circle",
             of_curve.system().constraints()[0].statement());
   Random random(3);
@@ -223,7 +230,7 @@ TEST(Offset_system, ellipsoid)
   for (int i = 0; i < number_of_points; ++i)
   {
     const Q d = i % 2 == 0 ? fraction(3, 4) : fraction(-1, 8);
-    const Construction offset(offset_system(ellipsoid, d));
+    Construction offset(offset_system(ellipsoid, d));
     const Point u = on_sphere(random), p{Q(2 * u[0]), Q(3 * u[1]), u[2]};
     const auto at_foot = base(p);
     ASSERT_TRUE(at_foot);
@@ -257,7 +264,7 @@ TEST(Offset_system, ellipsoid)
 
 TEST(Offset_system, distances_with_roots_are_squared_exactly)
 {
-  const Construction offset(offset_system(implicit("z"), sqrt(Expression(2)) / 2));
+  Construction offset(offset_system(implicit("z"), sqrt(Expression(2)) / 2));
   const auto residual = offset.system().violated(Values{0, 0, 1, 0, 0, 0});
   ASSERT_EQ(1u, residual.size());
   EXPECT_EQ("the distance of q and p is not 1/2*sqrt(2)", residual[0].sentence);
@@ -269,7 +276,7 @@ TEST(Offset_system, distances_with_roots_are_squared_exactly)
 
 TEST(Equal_distance, point_and_plane)
 {
-  const Construction paraboloid(
+  Construction paraboloid(
     equal_distance(Constraint_point_3{"the focus", {0, 0, 1}}, implicit("z+1")), "x^2+y^2-4*z");
   Random random(5);
   for (int i = 0; i < number_of_points; ++i)
@@ -282,7 +289,7 @@ TEST(Equal_distance, point_and_plane)
 
 TEST(Equal_distance, two_lines)
 {
-  const Construction paraboloid(equal_distance(curve("r", "0", "1"), curve("0", "r", "-1")),
+  Construction paraboloid(equal_distance(curve("r", "0", "1"), curve("0", "r", "-1")),
                                 "y^2-x^2-4*z");
   EXPECT_EQ((std::vector<std::string>{"x", "y", "z", "p_A_r", "p_B_r"}),
             paraboloid.system().variables());
@@ -296,10 +303,10 @@ TEST(Equal_distance, two_lines)
 
 TEST(Equal_distance, sphere_and_plane)
 {
-  const Construction mixed(
+  Construction mixed(
     equal_distance(implicit("x^2+y^2+(z-3)^2-1"), parametric("s+t", "s-t", "0")),
     "x^2+y^2-8*z+8");
-  const Construction both(equal_distance(implicit("x^2+y^2+(z-3)^2-1"), implicit("z")),
+  Construction both(equal_distance(implicit("x^2+y^2+(z-3)^2-1"), implicit("z")),
                           "x^2+y^2-8*z+8");
   Random random(7);
   for (int i = 0; i < number_of_points; ++i)
@@ -328,7 +335,7 @@ TEST(Equal_distance, three_planes)
 
 TEST(Rolling_ball, two_planes)
 {
-  const Construction cylinder(rolling_ball(implicit("z"), implicit("y"), 1), "(y-1)^2+(z-1)^2-1");
+  Construction cylinder(rolling_ball(implicit("z"), implicit("y"), 1), "(y-1)^2+(z-1)^2-1");
   EXPECT_EQ(12, cylinder.system().number_of_variables());
   EXPECT_EQ(12, cylinder.system().number_of_equations());
   Random random(8);
@@ -344,8 +351,8 @@ TEST(Rolling_ball, two_planes)
 TEST(Rolling_ball, plane_and_sphere)
 {
   const std::string torus = "(x^2+y^2+(z-1)^2+15)^2-64*(x^2+y^2)";
-  const Construction both(rolling_ball(implicit("z"), implicit("x^2+y^2+(z+2)^2-16"), 1), torus);
-  const Construction mixed(
+  Construction both(rolling_ball(implicit("z"), implicit("x^2+y^2+(z+2)^2-16"), 1), torus);
+  Construction mixed(
     rolling_ball(parametric("s", "t", "0"), implicit("x^2+y^2+(z+2)^2-16"), 1), torus);
   Random random(9);
   for (int i = 0; i < number_of_points; ++i)
@@ -363,7 +370,7 @@ TEST(Rolling_ball, plane_and_sphere)
 
 TEST(Rolling_ball, parallel_cylinders)
 {
-  const Construction cylinder(rolling_ball(implicit("y^2+z^2-9"), implicit("(y-6)^2+z^2-9"), 2),
+  Construction cylinder(rolling_ball(implicit("y^2+z^2-9"), implicit("(y-6)^2+z^2-9"), 2),
                               "(y-3)^2+(z-4)^2-4");
   Random random(10);
   for (int i = 0; i < number_of_points; ++i)
@@ -380,7 +387,7 @@ TEST(Rolling_ball, parallel_cylinders)
 TEST(Rolling_ball, crossing_cylinders)
 {
   const Q radius = fraction(1, 2), rho = fraction(3, 2);
-  const Construction blend(rolling_ball(implicit("y^2+z^2-1"), implicit("x^2+z^2-1"), radius));
+  Construction blend(rolling_ball(implicit("y^2+z^2-1"), implicit("x^2+z^2-1"), radius));
   Random random(11);
   for (int i = 0; i < number_of_points; ++i)
   {
@@ -413,9 +420,9 @@ TEST(Variable_radius_blend, two_planes)
 {
   const std::string cone = "2*(x^2+y^2+z^2)-(x+y+z)^2";
   const auto a = implicit("z"), b = implicit("y");
-  const Construction by_plane(variable_radius_blend(a, b, implicit("x-y")), cone);
-  const Construction by_patch(variable_radius_blend(a, b, parametric("s", "s", "t")), cone);
-  const Construction by_line(variable_radius_blend(a, b, curve("4*r", "9*r", "r")), cone);
+  Construction by_plane(variable_radius_blend(a, b, implicit("x-y")), cone);
+  Construction by_patch(variable_radius_blend(a, b, parametric("s", "s", "t")), cone);
+  Construction by_line(variable_radius_blend(a, b, curve("4*r", "9*r", "r")), cone);
   EXPECT_EQ(12, by_plane.system().number_of_variables());
   EXPECT_EQ(12, by_plane.system().number_of_equations());
   EXPECT_EQ(13, by_line.system().number_of_variables());
@@ -445,9 +452,9 @@ TEST(Trimming_surface, conoid)
   const std::string conoid = "z^2*(x^2+y^2)-x^2";
   const auto cylinder = implicit("x^2+y^2-1"), plane = implicit("x-z");
   const auto cylinder_patch = parametric("1-s^2", "2*s", "t*(1+s^2)", "1+s^2");
-  const Construction both(trimming_surface(cylinder, plane), conoid);
-  const Construction patch(trimming_surface(cylinder_patch, plane), conoid);
-  const Construction mixed(trimming_surface(cylinder, parametric("s", "t", "s")), conoid);
+  Construction both(trimming_surface(cylinder, plane), conoid);
+  Construction patch(trimming_surface(cylinder_patch, plane), conoid);
+  Construction mixed(trimming_surface(cylinder, parametric("s", "t", "s")), conoid);
   EXPECT_EQ(7, both.system().number_of_variables());
   Random random(13);
   for (int i = 0; i < number_of_points; ++i)
@@ -465,7 +472,7 @@ TEST(Trimming_surface, conoid)
 
 TEST(Trimming_surface, cone_of_a_sphere)
 {
-  const Construction cone(trimming_surface(implicit("x^2+y^2+z^2-1"), implicit("z-3/5")),
+  Construction cone(trimming_surface(implicit("x^2+y^2+z^2-1"), implicit("z-3/5")),
                           "9*(x^2+y^2)-16*z^2");
   Random random(14);
   for (int i = 0; i < number_of_points; ++i)
@@ -483,11 +490,11 @@ TEST(Ruled_by_projection, planes)
   const auto directrix = curve("r", "r^2", "1");
   const auto a = implicit("z"), b = implicit("y+1");
   const auto patch_a = parametric("s+t", "s", "0"), patch_b = parametric("s", "-1", "t");
-  const Construction ii(ruled_by_projection(directrix, a, b));
-  const Construction ip(ruled_by_projection(directrix, a, patch_b));
-  const Construction pi(ruled_by_projection(directrix, patch_a, b));
-  const Construction pp(ruled_by_projection(directrix, patch_a, patch_b));
-  const Construction line(ruled_by_projection(directrix, a, curve("r", "-1", "1")));
+  Construction ii(ruled_by_projection(directrix, a, b));
+  Construction ip(ruled_by_projection(directrix, a, patch_b));
+  Construction pi(ruled_by_projection(directrix, patch_a, b));
+  Construction pp(ruled_by_projection(directrix, patch_a, patch_b));
+  Construction line(ruled_by_projection(directrix, a, curve("r", "-1", "1")));
   const auto read = [](const std::string& text) { return parse_expression(text, {"r", "l"}); };
   const Parametric_surface_3 closed(
     Expression_function<2, 3>(std::vector{read("r"), read("l*r^2-1+l"), read("1-l")}));
@@ -570,8 +577,8 @@ TEST(Parametric_graph, patches)
     const Nurbs_surface_3<Q> spline(Knot_vector<Q>(3, rationals({2, 2, 2, 2, 3, 3, 3, 3})),
                                     Knot_vector<Q>(2, rationals({-1, -1, -1, 1, 1, 1})), points,
                                     weights);
-    const Construction graph(parametric_graph(Parametric_entity_3(patch)));
-    const Construction of_spline(parametric_graph(Parametric_entity_3(spline)));
+    Construction graph(parametric_graph(Parametric_entity_3(patch)));
+    Construction of_spline(parametric_graph(Parametric_entity_3(spline)));
     EXPECT_EQ(5, graph.system().number_of_variables());
     EXPECT_EQ(3, graph.system().number_of_equations());
     for (const Expression& e : graph.system().equations())
@@ -629,6 +636,30 @@ TEST(Violations, in_words)
   const Interval wide(-0.125, 0.125);
   EXPECT_TRUE(system.violated(std::vector<Interval>{2, wide, wide, 1, wide, wide}).empty());
   EXPECT_EQ(1u, system.violated(std::vector<Interval>{3, wide, wide, 1, 0, 0}).size());
+}
+
+// The bounds of a ruled surface: its segments out of its lines.
+TEST(Bounds, of_variables)
+{
+  const auto system = trimming_surface(implicit("x^2+y^2+z^2-1"), implicit("z"));
+  const std::vector<N_space_bound> bounds{{system.find_variable("lambda"), fraction(-1, 3), 1}};
+  const auto refusal = [&](const auto& lambda) {
+    using NT = std::decay_t<decltype(lambda)>;
+    const NT x = NT(1) + NT(2) * lambda;
+    const std::vector<NT> point{x, NT(0), NT(0), NT(1), NT(0), NT(0), lambda};
+    return refuse_outside_bounds(point, bounds, system.variables());
+  };
+  EXPECT_FALSE(refusal(fraction(-1, 3)));
+  EXPECT_FALSE(refusal(Q(1)));
+  EXPECT_FALSE(refusal(-1.0 / 3));
+  EXPECT_TRUE(refusal(1.0000001));
+  using Interval = CGAL::Interval_nt<true>;
+  EXPECT_FALSE(refusal(Interval(-2, -0.25)));
+  EXPECT_TRUE(refusal(Interval(1.25, 2)));
+  const Q beyond = fraction(-1, 3) - Q(1) / Q("1267650600228229401496703205376");
+  ASSERT_TRUE(refusal(beyond));
+  EXPECT_EQ(Refusal_code::OUTSIDE_DOMAIN, refusal(beyond)->code());
+  EXPECT_EQ("lambda = 2 is outside of the bounds [-1/3, 1]", refusal(Q(2))->evidence());
 }
 
 TEST(Constraint_system, names_of_variables)

@@ -111,6 +111,40 @@ TEST_F(Program, appendix_of_chuang_and_hoffmann)
   }
 }
 
+// The same surface from its two cylinders and the circle.
+TEST_F(Program, ruled_surface_from_constraints)
+{
+  const Json written = report(examples / "appendix.json", 0)["tasks"][0];
+  const Json stated = report(examples / "ruled.json", 0)["tasks"][0];
+  for (const char* field : {"status", "number_type", "point", "normal", "gaussian_curvature",
+                            "mean_curvature", "principal_curvatures", "principal_directions",
+                            "shape_operator", "normal_curvature", "umbilic", "planar"})
+    EXPECT_EQ(written[field], stated[field]) << field;
+}
+
+// K and H of the offset at the distance d are K / (1 + 2 d H + d^2 K) and (H + d K) / the same.
+TEST_F(Program, examples_of_constructions)
+{
+  const auto exact = [](const Json& task, const char* field) {
+    EXPECT_EQ(task["status"], "ok") << task;
+    return task[field]["exact"].get<std::string>();
+  };
+  const Json offset = report(examples / "offset.json", 0)["tasks"];
+  EXPECT_EQ(exact(offset[0], "gaussian_curvature"), "9604/28561");
+  EXPECT_EQ(exact(offset[0], "mean_curvature"), "1526/2197");
+  EXPECT_EQ(exact(offset[1], "gaussian_curvature"), "2401/12700");
+  EXPECT_EQ(exact(offset[1], "mean_curvature"), "308/635");
+  EXPECT_EQ(exact(offset[2], "gaussian_curvature"), "2401/2781");
+  EXPECT_EQ(exact(offset[2], "mean_curvature"), "1253/927");
+  const Json bisector = report(examples / "bisector.json", 0)["tasks"];
+  EXPECT_EQ(exact(bisector[0], "gaussian_curvature"), "-4/81"); // of z = (y^2 - x^2) / 4
+  EXPECT_EQ(exact(bisector[1], "gaussian_curvature"), "1/9");   // of z = (x^2 + y^2) / 4
+  const Json torus = report(examples / "rolling_ball.json", 0)["tasks"];
+  EXPECT_EQ(exact(torus[0], "gaussian_curvature"), "3/23");
+  EXPECT_EQ(torus[0]["principal_curvatures"][0]["exact"], "3/23");
+  EXPECT_EQ(torus[0]["principal_curvatures"][1]["exact"], "1");
+}
+
 TEST_F(Program, number_types_and_decisions)
 {
   // A sphere is umbilic everywhere; at this point only exact arithmetic can say so.

@@ -212,7 +212,7 @@ TEST(Model, what_this_version_does_not_offer_is_no_error_of_the_model)
   const Model model = read_model(R"({
     "surfaces": { "o": { "kind": "offset", "of": "s", "distance": 1 },
                   "n": { "kind": "system", "variables": ["x","y","z","w"], "equations": ["x-w"] } },
-    "curves": { "c": { "kind": "bezier_3", "control_points": [] } },
+    "curves": { "c": { "kind": "offset", "of": "d", "distance": 1 } },
     "tasks": [ { "task": "continuity", "anything": [1] },
                { "task": "curvature", "surface": "o", "at": { "point": [0,0,0] } },
                { "task": "curvature", "curve": "c", "at": { "parameters": [0] } },
@@ -251,7 +251,7 @@ const char* const meshes = R"json({
 std::vector<std::string> seeds()
 {
   std::vector<std::string> texts{meshes};
-  for (const char* name : {"curves", "implicit", "patches", "system"})
+  for (const char* name : {"constructions", "curves", "implicit", "patches", "system"})
   {
     const std::string file = SHAPE_INTERROGATION_TEST_DATA "/models/" + std::string(name) + ".json";
     std::ifstream in(file);
