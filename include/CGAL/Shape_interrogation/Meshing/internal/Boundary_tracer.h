@@ -169,7 +169,8 @@ private:
       chart = w.chart;
       if (path.end == Path_end::BOUND && i + 1 == path.points.size())
       {
-        w.chart.point = path.points[i].point;
+        const Bound_side& end = m_cover.sides()[path.side];
+        w.chart.point[end.variable] = end.value;
         w.sides |= bit(path.side);
       }
       curve.push_back(w);

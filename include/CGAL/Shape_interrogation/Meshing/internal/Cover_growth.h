@@ -67,24 +67,28 @@ public:
 private:
   enum class Outcome { DONE, SHRUNK };
 
+  // Later vertices change the surroundings of earlier ones, so all are looked at again.
   void grow()
   {
-    std::size_t checked = 0;
-    do
+    constexpr int most_rounds = 3;
+    for (int round = 0; round < most_rounds; ++round)
     {
-      while (const auto vertex = m_cover.next())
+      const std::size_t before = m_cover.vertices().size();
+      for (std::size_t checked = m_first; checked <= m_cover.vertices().size(); ++checked)
       {
-        if (m_cover.is_full() || !m_go_on())
-          return;
-        expand(*vertex);
+        while (const auto vertex = m_cover.next())
+        {
+          if (m_cover.is_full() || !m_go_on())
+            return;
+          expand(*vertex);
+        }
+        if (checked < m_cover.vertices().size())
+          fill(static_cast<int>(checked));
       }
-      for (; checked < m_cover.vertices().size(); ++checked)
-      {
-        if (m_cover.is_full() || !m_go_on())
-          return;
-        fill(static_cast<int>(checked));
-      }
-    } while (checked < m_cover.vertices().size());
+      if (round > 0 && m_cover.vertices().size() == before)
+        break;
+    }
+    m_first = m_cover.vertices().size();
   }
 
   void expand(int vertex)
@@ -136,8 +140,8 @@ private:
     {
       const Voronoi_cell cell = cell_of(m_cover, vertex);
       const double turning = largest_turning(vertex, cell);
-      if (turning > m_cover.max_turning() &&
-          m_cover.shrink(vertex, 0.9 * m_cover.max_turning() / turning))
+      if (turning > 0.9 * m_cover.max_turning() &&
+          m_cover.shrink(vertex, 0.8 * m_cover.max_turning() / turning))
       {
         expand(vertex);
         continue;
@@ -246,6 +250,7 @@ private:
   N_space_cover& m_cover;
   Boundary_tracer<Go_on> m_boundary;
   Go_on m_go_on;
+  std::size_t m_first = 0; // vertex of the component
 };
 
 } // namespace internal

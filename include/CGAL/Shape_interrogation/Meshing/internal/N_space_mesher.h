@@ -141,7 +141,7 @@ private:
     Triangle_assembly assembly(m_cover);
     for (const Candidate_triangle& t : candidates)
       if (!lies_outside(t.corners))
-        assembly.add(t.corners);
+        assembly.add(t.corners, t.votes == 3);
     assembly.fill_holes();
     return assembly.triangles();
   }

@@ -21,6 +21,7 @@
 #include <cstdint>
 #include <tuple>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -82,25 +83,39 @@ public:
   }
 
   // Adds a triangle if none of its sides is taken in this direction.
-  bool add(const std::array<int, 3>& t)
+  bool add(const std::array<int, 3>& t, bool is_agreed = false)
   {
     for (int i = 0; i < 3; ++i)
-      if (m_sides.count(key(t[i], t[(i + 1) % 3])))
+      if (has_side(t[i], t[(i + 1) % 3]))
         return false;
     for (int i = 0; i < 3; ++i)
-      m_sides[key(t[i], t[(i + 1) % 3])] = 1;
+      m_sides.insert(key(t[i], t[(i + 1) % 3]));
     m_triangles.push_back({std::size_t(t[0]), std::size_t(t[1]), std::size_t(t[2])});
+    m_is_agreed.push_back(is_agreed);
     return true;
   }
 
   const std::vector<Soup_triangle>& triangles() const { return m_triangles; }
 
-  // Fills small holes that neither a bound nor a stop explains.
+  // Fills small holes that neither a bound nor a stop explains. Around those that cannot be filled,
+  // triangles that not all charts agreed on are taken away first, then all.
   void fill_holes()
   {
-    for (std::vector<int> hole : holes())
-      while (hole.size() >= 3 && cut_ear(hole))
-        ;
+    for (int round = 0; round < 4; ++round)
+    {
+      std::vector<bool> is_open(m_cover.vertices().size(), false);
+      bool any = false;
+      for (std::vector<int> hole : holes())
+      {
+        while (hole.size() >= 3 && cut_ear(hole))
+          ;
+        for (int v : hole)
+          any = is_open[v] = true;
+      }
+      if (!any || round == 3)
+        return;
+      take_away(is_open, round == 0);
+    }
   }
 
 private:
@@ -110,6 +125,26 @@ private:
   }
 
   bool has_side(int a, int b) const { return m_sides.count(key(a, b)) != 0; }
+
+  void take_away(const std::vector<bool>& is_open, bool keeps_agreed)
+  {
+    std::size_t kept = 0;
+    for (std::size_t t = 0; t < m_triangles.size(); ++t)
+    {
+      const Soup_triangle& corners = m_triangles[t];
+      const bool is_beside = is_open[corners[0]] || is_open[corners[1]] || is_open[corners[2]];
+      if (is_beside && !(keeps_agreed && m_is_agreed[t]))
+        for (int i = 0; i < 3; ++i)
+          m_sides.erase(key(int(corners[i]), int(corners[(i + 1) % 3])));
+      else
+      {
+        m_triangles[kept] = corners;
+        m_is_agreed[kept++] = m_is_agreed[t];
+      }
+    }
+    m_triangles.resize(kept);
+    m_is_agreed.resize(kept);
+  }
 
   bool is_on_bound(int a, int b) const
   {
@@ -149,41 +184,38 @@ private:
     return result;
   }
 
-  // Cuts off the corner whose triangle has the shortest new side, if it is counterclockwise.
+  // Cuts off the corner whose triangle has the shortest new side among those that can be.
   bool cut_ear(std::vector<int>& hole)
   {
     const std::size_t n = hole.size();
-    std::size_t best = n;
-    double shortest = HUGE_VAL;
+    std::vector<std::pair<double, std::size_t>> ears;
     for (std::size_t i = 0; i < n; ++i)
     {
-      const int a = hole[(i + n - 1) % n], b = hole[i], c = hole[(i + 1) % n];
-      const N_space_chart& chart = m_cover.vertices()[b].chart;
-      const Chart_vector pa = place_in(chart, m_cover.vertices()[a].chart.point).at;
-      const Chart_vector pc = place_in(chart, m_cover.vertices()[c].chart.point).at;
-      const double distance = std::hypot(pa[0] - pc[0], pa[1] - pc[1]);
-      // a, b, c counterclockwise: at b turn from c to a.
-      if (pc[0] * pa[1] - pc[1] * pa[0] > 0 && distance < shortest)
-      {
-        shortest = distance;
-        best = i;
-      }
+      const N_space_chart& chart = m_cover.vertices()[hole[i]].chart;
+      const Chart_vector a =
+        place_in(chart, m_cover.vertices()[hole[(i + n - 1) % n]].chart.point).at;
+      const Chart_vector c = place_in(chart, m_cover.vertices()[hole[(i + 1) % n]].chart.point).at;
+      if (c[0] * a[1] - c[1] * a[0] > 0) // counterclockwise
+        ears.emplace_back(std::hypot(a[0] - c[0], a[1] - c[1]) * chart.unit(), i);
     }
-    if (best == n)
-      return false;
-    if (!add({hole[(best + n - 1) % n], hole[best], hole[(best + 1) % n]}))
-      return false;
-    if (n == 3)
-      hole.clear();
-    else
-      hole.erase(hole.begin() + static_cast<std::ptrdiff_t>(best));
-    return true;
+    std::sort(ears.begin(), ears.end());
+    for (const auto& [side, i] : ears)
+      if (add({hole[(i + n - 1) % n], hole[i], hole[(i + 1) % n]}))
+      {
+        if (n == 3)
+          hole.clear();
+        else
+          hole.erase(hole.begin() + static_cast<std::ptrdiff_t>(i));
+        return true;
+      }
+    return false;
   }
 
   const N_space_cover& m_cover;
   std::vector<bool> m_is_stop;
-  std::unordered_map<std::uint64_t, char> m_sides;
+  std::unordered_set<std::uint64_t> m_sides; // directed
   std::vector<Soup_triangle> m_triangles;
+  std::vector<bool> m_is_agreed; // by the charts of all three corners
 };
 
 } // namespace internal

@@ -47,16 +47,15 @@ inline void fill_n_space_properties(const N_space_system& system, const N_space_
 {
   Shape_property_maps maps(mesh.surface_mesh);
   N_space_property_maps more(mesh.surface_mesh);
-  N_space_system prepared = system;
-  if (!cover.vertices().empty())
-    prepared.prepare(cover.vertices()[0].chart.point);
-  N_space_evaluator<double> evaluate(prepared);
+  // Each point finds its own order of elimination: with the equations that are independent at
+  // another one the curvatures can be less accurate.
+  N_space_evaluator<double> evaluate(system);
   for (const auto vertex : mesh.surface_mesh.vertices())
   {
     const Cover_vertex& v = cover.vertices()[source[vertex.idx()]];
     more.n_space_point[vertex] = v.chart.point;
     more.projection_contraction[vertex] = v.chart.contraction;
-    for (double x : prepared.tape().evaluate(v.chart.point))
+    for (double x : system.tape().evaluate(v.chart.point))
       mesh.max_residual = (std::max)(mesh.max_residual, std::fabs(x));
     const Result<Local_shape_3<double>> s = evaluate(v.chart.point);
     if (s)
