@@ -49,8 +49,9 @@ struct N_space_batch_result
  * point for which a check fails (a pivot too small, another rank, a singular projection, redundant
  * equations that disagree, a division by zero, an overflow) is evaluated by an
  * `N_space_evaluator<double>`, which has the last word; so the answers and the refusals are its
- * own. Where the system is prepared the numbers are the same too, unless the compiler contracts products
- * and sums into one operation; otherwise they may differ in rounding.
+ * own. Where the system is prepared the numbers are the same too, unless the compiler contracts
+ * products and sums into one operation; otherwise they may differ in rounding and in the length of
+ * the normal.
  *
  * A batch evaluator is not thread-safe; use one in each thread. It keeps a reference to the system.
  *
