@@ -81,9 +81,9 @@ public:
       if (count < 3)
         continue;
       const double exponent = (count * xy - x * y) / (count * xx - x * x);
-      std::printf("%-30s n^%.2f for n = %d ... %d, %.1f ns for each of %d\n", name.c_str(), exponent,
-                  times.lower_bound(smallest_size)->first, times.rbegin()->first,
-                  times.rbegin()->second / times.rbegin()->first, times.rbegin()->first);
+      const int first = times.lower_bound(smallest_size)->first, last = times.rbegin()->first;
+      std::printf("%-30s n^%.2f for n = %d ... %d, %.1f ns for each of %d\n", name.c_str(),
+                  exponent, first, last, times.rbegin()->second / last, last);
     }
   }
 

@@ -62,11 +62,14 @@ double nearest_double(const Exact& x)
 }
 
 // The rational as GMP has it, for the types that show it.
-template <class T> auto gmp_rational(const T& x) -> decltype(x.get_mpq_t()) { return x.get_mpq_t(); }
-template <class T> auto gmp_rational(const T& x) -> decltype(x.mpq()) { return x.mpq(); }
+template <class T>
+auto gmp_rational(const T& x) -> decltype(x.get_mpq_t()) { return x.get_mpq_t(); }
+template <class T>
+auto gmp_rational(const T& x) -> decltype(x.mpq()) { return x.mpq(); }
 
 // The narrowest interval around the quotient of two integers that are doubles. The remainder of a
-// quotient is a double, whatever the rounding mode, and its sign tells on which side the quotient is.
+// quotient is a double, whatever the rounding mode, and its sign tells on which side the quotient
+// is.
 inline bool enclose_small_quotient(mpq_srcptr x, double& lo, double& hi)
 {
   if (mpz_sizeinbase(mpq_numref(x), 2) > 53 || mpz_sizeinbase(mpq_denref(x), 2) > 53)
