@@ -24,10 +24,9 @@ namespace CGAL {
 namespace Shape_interrogation {
 namespace internal {
 
-// As many doubles as one instruction takes: wider vectors would be passed through memory.
-#if (defined(__GNUC__) || defined(__clang__)) && defined(__AVX512F__)
-typedef double Double_vector __attribute__((vector_size(64)));
-#elif (defined(__GNUC__) || defined(__clang__)) && defined(__AVX__)
+// As many doubles as one instruction takes, at most four: wider vectors would be passed through
+// memory.
+#if (defined(__GNUC__) || defined(__clang__)) && defined(__AVX__)
 typedef double Double_vector __attribute__((vector_size(32)));
 #elif defined(__GNUC__) || defined(__clang__)
 typedef double Double_vector __attribute__((vector_size(16)));
