@@ -10,12 +10,15 @@
 #define SHAPE_INTERROGATION_BENCHMARK_RATIO_REPORTER_H
 
 // Prints, after the usual table, ratios of benchmarks of the same run: what counts is the quotient,
-// which the load of the machine changes less than the times.
+// which the load of the machine changes less than the times. For benchmarks of several sizes n it
+// prints the exponent p of the cost n^p that fits best.
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <string>
 #include <utility>
@@ -40,6 +43,9 @@ public:
         auto [it, inserted] = m_times.emplace(run.run_name.function_name, time);
         if (!inserted)
           it->second = std::min(it->second, time);
+        if (!run.run_name.args.empty())
+          add_size(m_families[run.run_name.function_name], std::atoi(run.run_name.args.c_str()),
+                   time);
       }
   }
 
@@ -60,8 +66,40 @@ public:
     }
   }
 
+  // Fits a line to the logarithms, by least squares, where fixed costs no longer count.
+  void print_growth() const
+  {
+    for (const auto& [name, times] : m_families)
+    {
+      double count = 0, x = 0, y = 0, xx = 0, xy = 0;
+      for (const auto& [n, time] : times)
+        if (n >= smallest_size)
+        {
+          const double a = std::log(n), b = std::log(time);
+          ++count, x += a, y += b, xx += a * a, xy += a * b;
+        }
+      if (count < 3)
+        continue;
+      const double exponent = (count * xy - x * y) / (count * xx - x * x);
+      const int first = times.lower_bound(smallest_size)->first, last = times.rbegin()->first;
+      std::printf("%-30s n^%.2f for n = %d ... %d, %.1f ns for each of %d\n", name.c_str(),
+                  exponent, first, last, times.rbegin()->second / last, last);
+    }
+  }
+
 private:
+  static constexpr int smallest_size = 16;
+  using Times_of_sizes = std::map<int, double>;
+
+  static void add_size(Times_of_sizes& times, int n, double time)
+  {
+    const auto [it, inserted] = times.emplace(n, time);
+    if (!inserted)
+      it->second = std::min(it->second, time);
+  }
+
   std::map<std::string, double> m_times;
+  std::map<std::string, Times_of_sizes> m_families;
 };
 
 inline int run_with_ratios(int argc, char** argv, const std::vector<Ratio>& ratios)
@@ -72,6 +110,7 @@ inline int run_with_ratios(int argc, char** argv, const std::vector<Ratio>& rati
   Ratio_reporter reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
   reporter.print(ratios);
+  reporter.print_growth();
   return 0;
 }
 

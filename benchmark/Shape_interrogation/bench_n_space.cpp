@@ -6,14 +6,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 
-// The cost of all second-order data of a surface in n-space: the ruled surface of Chuang and
-// Hoffmann in 16 variables, and chains of n variables for the growth with n.
+// The cost of all second-order data of a surface in n-space, and of certified decisions: the ruled
+// surface of Chuang and Hoffmann in 16 variables, and chains of n variables for the growth with n.
 
 #include "Ratio_reporter.h"
 
 #include <CGAL/Shape_interrogation/Differentiation/parse_expression.h>
+#include <CGAL/Shape_interrogation/Number_types/Filtered.h>
 #include <CGAL/Shape_interrogation/Number_types/Quadratic_field.h>
+#include <CGAL/Shape_interrogation/Surfaces/N_space_batch.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_surface_3.h>
+#include <CGAL/Shape_interrogation/Traits/questions.h>
 
 #include <CGAL/Exact_rational.h>
 
@@ -78,6 +81,44 @@ void evaluate(benchmark::State& state, si::N_space_system system, const std::vec
     benchmark::DoNotOptimize(evaluator(point));
 }
 
+// Many points at once: the time is that of one point.
+void evaluate_batch(benchmark::State& state, si::N_space_system system,
+                    const std::vector<double>& point)
+{
+  constexpr int points = 256;
+  if (!system.prepare(point))
+    state.SkipWithError("the point is not regular");
+  std::vector<std::vector<double>> coordinates;
+  for (double x : point)
+    coordinates.emplace_back(points, x);
+  si::N_space_batch evaluate_all(system);
+  si::N_space_batch_result result;
+  while (state.KeepRunningBatch(points))
+  {
+    evaluate_all(coordinates, result);
+    benchmark::DoNotOptimize(result.shapes.data());
+  }
+  if (!result.refusals.empty())
+    state.SkipWithError("a point was refused");
+}
+
+// The certified sign of K at a point that is exactly on the solution.
+template <class NT>
+void decide(benchmark::State& state, si::N_space_system system, const std::vector<NT>& point)
+{
+  if (!system.prepare(si::cast_argument<double>(point)))
+    state.SkipWithError("the point is not regular");
+  const si::N_space_surface_3 surface(system);
+  si::Filter_statistics statistics;
+  const si::Filtered<si::Shape_chain<si::Sign_of_gaussian_curvature>> sign({}, &statistics);
+  if (!sign(surface, point))
+    state.SkipWithError("the point was refused");
+  for (auto _ : state)
+    benchmark::DoNotOptimize(sign(surface, point));
+  if (statistics.fallbacks() != 0)
+    state.SkipWithError("the enclosure did not decide");
+}
+
 si::N_space_system rational_system()
 {
   return ruled_surface({"u0-(2-r)", "v0-(4+3*r)", "w0-(15/4+r^2)"});
@@ -88,6 +129,18 @@ void sixteen_variables_double(benchmark::State& state)
   evaluate(state, rational_system(), numbers<double>(rational_point));
 }
 BENCHMARK(sixteen_variables_double);
+
+void sixteen_variables_batch(benchmark::State& state)
+{
+  evaluate_batch(state, rational_system(), numbers<double>(rational_point));
+}
+BENCHMARK(sixteen_variables_batch);
+
+void sixteen_variables_filtered(benchmark::State& state)
+{
+  decide(state, rational_system(), numbers<Rational>(rational_point));
+}
+BENCHMARK(sixteen_variables_filtered);
 
 void sixteen_variables_exact(benchmark::State& state)
 {
@@ -103,10 +156,9 @@ void sixteen_variables_sqrt17(benchmark::State& state)
 }
 BENCHMARK(sixteen_variables_sqrt17);
 
-// x3 = x0 + x1, x4 = x3 + x0 x1, x5 = x4 + x3^2/2, ..., z = x_{n-1}: a chain with two parameters.
-void chain_double(benchmark::State& state)
+// x3 = x (2 + y) / 4, x4 = x3 (2 + y) / 4, ..., z = x_{n-1}: a chain with two parameters.
+si::N_space_system chain(int n)
 {
-  const int n = static_cast<int>(state.range(0));
   std::vector<std::string> names = {"x", "y", "z"};
   for (int i = 3; i < n; ++i)
     names.push_back("a" + std::to_string(i));
@@ -118,20 +170,63 @@ void chain_double(benchmark::State& state)
     equations.push_back(v(i) - before / 2 - v(1) * before / 4);
   }
   equations.push_back(v(2) - (n > 3 ? v(n - 1) : v(0) * v(1)));
-  si::N_space_system system(names, equations);
-  std::vector<double> p(n);
-  p[0] = 0.5;
-  p[1] = 0.25;
-  for (int i = 3; i < n; ++i)
-  {
-    const double before = i == 3 ? p[0] : p[i - 1];
-    p[i] = before / 2 + p[1] * before / 4;
-  }
-  p[2] = n > 3 ? p[n - 1] : p[0] * p[1];
-  evaluate(state, std::move(system), p);
-  state.SetComplexityN(n);
+  return si::N_space_system(names, equations);
 }
-BENCHMARK(chain_double)->RangeMultiplier(4)->Range(4, 1024)->Complexity(benchmark::oN);
+
+// A point at which all numbers of the chain are equal: what grows with n is their number alone.
+template <class NT>
+std::vector<NT> point_of_chain(int n)
+{
+  std::vector<NT> p(n);
+  for (NT& x : p)
+    x = NT(3);
+  p[1] = NT(2);
+  if (n == 3)
+    p[2] = NT(6);
+  return p;
+}
+
+void chain_double(benchmark::State& state)
+{
+  const int n = static_cast<int>(state.range(0));
+  evaluate(state, chain(n), point_of_chain<double>(n));
+}
+BENCHMARK(chain_double)->Arg(3)->RangeMultiplier(4)->Range(4, 1024);
+
+void chain_batch(benchmark::State& state)
+{
+  const int n = static_cast<int>(state.range(0));
+  evaluate_batch(state, chain(n), point_of_chain<double>(n));
+}
+BENCHMARK(chain_batch)->Arg(3)->RangeMultiplier(4)->Range(4, 1024);
+
+// With coordinates in double, which are exactly on the solution.
+void chain_filtered(benchmark::State& state)
+{
+  const int n = static_cast<int>(state.range(0));
+  decide(state, chain(n), point_of_chain<double>(n));
+}
+BENCHMARK(chain_filtered)->Arg(3)->RangeMultiplier(4)->Range(4, 1024);
+
+void chain_exact(benchmark::State& state)
+{
+  const int n = static_cast<int>(state.range(0));
+  evaluate(state, chain(n), point_of_chain<Rational>(n));
+}
+BENCHMARK(chain_exact)->Arg(3)->RangeMultiplier(4)->Range(4, 1024);
+
+// Compiling the equations and choosing the order of elimination, which is done once.
+void chain_prepare(benchmark::State& state)
+{
+  const int n = static_cast<int>(state.range(0));
+  const std::vector<double> p = point_of_chain<double>(n);
+  for (auto _ : state)
+  {
+    si::N_space_system system = chain(n);
+    benchmark::DoNotOptimize(system.prepare(p));
+  }
+}
+BENCHMARK(chain_prepare)->RangeMultiplier(4)->Range(4, 1024);
 
 } // namespace
 
@@ -139,6 +234,9 @@ int main(int argc, char** argv)
 {
   return run_with_ratios(argc, argv,
                          {{"sixteen_variables_double", "", 3000},
-                          {"sixteen_variables_exact", "", 300000},
+                          {"sixteen_variables_batch", "", 1500},
+                          {"sixteen_variables_batch", "sixteen_variables_double", 1},
+                          {"sixteen_variables_filtered", "", 4000},
+                          {"sixteen_variables_exact", "", 150000},
                           {"sixteen_variables_sqrt17", "", 10000000}});
 }

@@ -45,6 +45,7 @@
 #include <CGAL/Shape_interrogation/Curves/Parametric_curve_2.h>
 #include <CGAL/Shape_interrogation/Surfaces/Bezier_surface_3.h>
 #include <CGAL/Shape_interrogation/Surfaces/Implicit_surface_3.h>
+#include <CGAL/Shape_interrogation/Surfaces/N_space_batch.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_bound.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_condition.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_corrector.h>

@@ -133,6 +133,40 @@ TEST(Number_cast, doubles_are_exact)
   }
 }
 
+TEST(Number_cast, numbers_that_are_not_finite_have_no_enclosure)
+{
+  for (const double d : {infinity, -infinity, std::nan("")})
+  {
+    EXPECT_THROW(number_cast<Interval>(d), Conversion_error);
+    EXPECT_THROW(number_cast<CGAL::Interval_nt<true>>(d), Conversion_error);
+    EXPECT_THROW(number_cast<Interval>(static_cast<float>(d)), Conversion_error);
+  }
+}
+
+// Quotients of integers that are doubles: a point or two neighbours, in every rounding mode.
+TEST(Number_cast, interval_of_small_quotient_is_narrowest)
+{
+  Random random(18);
+  int points = 0;
+  for (const int mode : {FE_TONEAREST, FE_UPWARD, FE_DOWNWARD, FE_TOWARDZERO})
+    for (int i = 0; i < 2000; ++i)
+    {
+      const double n = std::floor(random.real(-std::ldexp(1, i % 54), std::ldexp(1, i % 54)));
+      const double d = 1 + std::floor(random.real(0, std::ldexp(1, i / 54 % 53)));
+      const Q x = Q(n) / Q(d);
+      Interval y;
+      {
+        const Rounding rounding(mode);
+        y = number_cast<Interval>(x);
+      }
+      ASSERT_TRUE(contains(y, x)) << y;
+      points += y.is_point();
+      EXPECT_EQ(y.is_point(), Q(y.inf()) == x);
+      EXPECT_LE(y.sup(), std::nextafter(y.inf(), infinity));
+    }
+  EXPECT_GE(points, 200);
+}
+
 TEST(Number_cast, interval_of_rational_is_tight)
 {
   Random random(12);

@@ -144,7 +144,7 @@ public:
     if constexpr (is_light) return Multiple()(a, s);
     else return out_of_line(Multiple(), a, s);
   }
-  friend Jet operator*(const NT& s, const Jet& a) { return a * s; }
+  [[gnu::always_inline]] friend Jet operator*(const NT& s, const Jet& a) { return a * s; }
   friend Jet operator/(const Jet& a, const NT& s)
   {
     if (CGAL::certainly(is_zero_decision(s)))

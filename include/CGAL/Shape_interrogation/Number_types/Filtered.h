@@ -52,7 +52,8 @@ struct Filter_statistics
  * of one. The chain is run in floating point with a running magnitude (only for data given in
  * `double`), then in interval arithmetic under one protection of the rounding mode, and only where
  * these are undecided exactly: in a ring of dyadic numbers if the data are doubles and the chain
- * does not divide, else in `ExactNT`. The filter covers the whole chain: a decision about data that
+ * does not divide, else in `ExactNT`. For systems in n-space, which divide at every step, there are
+ * only the interval and `ExactNT`. The filter covers the whole chain: a decision about data that
  * were rounded before would be exact about the wrong data.
  *
  * To work in every number type a chain has to decide by `sign_decision()` and `is_zero_decision()`:
@@ -96,7 +97,8 @@ public:
     using Exact_answer = Filter_answer<
       std::decay_t<decltype(m_chain(cast_argument<ExactNT>(args)...))>>;
     using Answer = typename Exact_answer::type;
-    constexpr bool doubles = (internal::Has_double_data<Args>::value && ...);
+    constexpr bool doubles = (internal::Has_double_data<Args>::value && ...) &&
+                             !(internal::Needs_field<Args>::value || ...);
     std::optional<Answer> answer;
     if constexpr (doubles)
       if (m_use_magnitude.load(std::memory_order_relaxed) &&

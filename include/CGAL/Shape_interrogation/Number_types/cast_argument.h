@@ -53,6 +53,10 @@ struct Has_double_data<std::vector<T>> : Has_double_data<T> {};
 template <class T>
 struct Has_double_data<T, std::void_t<typename T::FT>> : Has_double_data<typename T::FT> {};
 
+// Whether the evaluation of an argument divides all the time, as one that solves linear equations:
+// the stages of a filter that are rings, or lose their bounds in divisions, are of no use then.
+template <class T> struct Needs_field : std::false_type {};
+
 } // namespace internal
 
 #ifndef DOXYGEN_RUNNING

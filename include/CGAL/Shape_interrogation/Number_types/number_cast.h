@@ -18,6 +18,8 @@
 #include <CGAL/Interval_nt.h>
 #include <CGAL/number_utils.h>
 
+#include <gmp.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -58,6 +60,35 @@ double nearest_double(const Exact& x)
   const Exact sum = Exact(lo) + Exact(hi);
   return twice < sum ? lo : hi;
 }
+
+// The rational as GMP has it, for the types that show it.
+template <class T>
+auto gmp_rational(const T& x) -> decltype(x.get_mpq_t()) { return x.get_mpq_t(); }
+template <class T>
+auto gmp_rational(const T& x) -> decltype(x.mpq()) { return x.mpq(); }
+
+// The narrowest interval around the quotient of two integers that are doubles. The remainder of a
+// quotient is a double, whatever the rounding mode, and its sign tells on which side the quotient
+// is.
+inline bool enclose_small_quotient(mpq_srcptr x, double& lo, double& hi)
+{
+  if (mpz_sizeinbase(mpq_numref(x), 2) > 53 || mpz_sizeinbase(mpq_denref(x), 2) > 53)
+    return false;
+  const double n = mpz_get_d(mpq_numref(x)), d = mpz_get_d(mpq_denref(x));
+  lo = hi = n / d;
+  const double remainder = d == 1 ? 0 : std::fma(lo, d, -n);
+  if (remainder > 0)
+    lo = std::nextafter(hi, -HUGE_VAL);
+  else if (remainder < 0)
+    hi = std::nextafter(lo, HUGE_VAL);
+  return true;
+}
+
+template <class Exact, class = void> struct Is_gmp_rational : std::false_type {};
+template <class Exact>
+struct Is_gmp_rational<Exact, std::void_t<decltype(gmp_rational(std::declval<const Exact&>()))>>
+  : std::true_type
+{};
 
 // A double between the ends; infinite ends count as the largest double.
 inline double middle(double lo, double hi)
@@ -129,7 +160,29 @@ struct Number_cast<double, From, std::enable_if_t<!std::is_arithmetic_v<From>>>
 template <bool P, class From>
 struct Number_cast<Interval_nt<P>, From, std::enable_if_t<!std::is_arithmetic_v<From>>>
 {
-  static Interval_nt<P> cast(const From& x) { return Interval_nt<P>(CGAL::to_interval(x)); }
+  static Interval_nt<P> cast(const From& x)
+  {
+    if constexpr (internal::Is_gmp_rational<From>::value)
+    {
+      double lo, hi;
+      if (internal::enclose_small_quotient(internal::gmp_rational(x), lo, hi))
+        return Interval_nt<P>(lo, hi);
+    }
+    return Interval_nt<P>(CGAL::to_interval(x));
+  }
+};
+
+// There is no enclosure of what is not a number, and the library asserts that there is none of the
+// infinite.
+template <bool P, class Real>
+struct Number_cast<Interval_nt<P>, Real, std::enable_if_t<std::is_floating_point_v<Real>>>
+{
+  static Interval_nt<P> cast(Real x)
+  {
+    if (!std::isfinite(x))
+      throw Conversion_error("a number is not finite: coordinates and coefficients must be");
+    return Interval_nt<P>(x);
+  }
 };
 
 // Not every rational has constructors for the widest integers: they enter as two halves.

@@ -12,18 +12,25 @@
 // Chuang and Hoffmann's curvature at a point: rank, tangent plane V, normal (N, 0) = J^T alpha,
 // then V^T (sum alpha_k H_k) V by second-order jets along V. MATH: n-space.
 
-#include <CGAL/Shape_interrogation/Differentiation/Jet.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_shape_3.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_system.h>
-#include <CGAL/Shape_interrogation/Surfaces/internal/Sparse_elimination.h>
+#include <CGAL/Shape_interrogation/Surfaces/internal/form_vanishes_nearby.h>
+#include <CGAL/Shape_interrogation/Surfaces/internal/N_space_forms.h>
+#include <CGAL/Shape_interrogation/Surfaces/internal/orient_n_space_shape.h>
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>
 #include <CGAL/Shape_interrogation/Waist/internal/refuse.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace CGAL {
 namespace Shape_interrogation {
+
+class N_space_surface_3;
 
 /*!
  * \ingroup PkgShapeInterrogationSurfaces
@@ -55,10 +62,7 @@ class N_space_evaluator
 {
 public:
   //! constructs an evaluator for `system`, which must outlive it.
-  explicit N_space_evaluator(const N_space_system& system)
-    : m_system(system), m_n(system.number_of_variables()),
-      m_m(system.number_of_equations())
-  {}
+  explicit N_space_evaluator(const N_space_system& system) { set_system(system); }
 
   //! computes the second-order data at `point`, which has one coordinate for each variable.
   Result<Local_shape_3<NT>> operator()(const std::vector<NT>& point)
@@ -75,8 +79,8 @@ public:
     N_space_shape_3<NT> full;
     full.shape = *s;
     full.rank = m_n - 2;
-    full.tangent_basis = m_basis;
-    full.multipliers = m_alpha;
+    full.tangent_basis = m_forms.basis();
+    full.multipliers = m_forms.multipliers();
     if (m_flipped)
       for (NT& alpha : full.multipliers)
         alpha = -alpha;
@@ -85,9 +89,19 @@ public:
   }
 
 private:
-  using J = Jet<NT, 2, 2>;
-  using Vector = Coordinates<NT, 3>;
-  using Elimination = internal::Sparse_elimination<NT>;
+  friend class N_space_surface_3;
+  using Forms = internal::N_space_forms<NT>;
+  using Status = typename internal::Sparse_elimination<NT>::Status;
+
+  // For the surface, which keeps the memory of an evaluator for systems that come and go.
+  N_space_evaluator() = default;
+
+  void set_system(const N_space_system& system)
+  {
+    m_system = &system;
+    m_n = system.number_of_variables();
+    m_m = system.number_of_equations();
+  }
 
   Result<Local_shape_3<NT>> evaluate(const std::vector<NT>& p)
   {
@@ -99,64 +113,53 @@ private:
       return Refusal(Refusal_code::UNDERDETERMINED,
                      std::to_string(m_m) + " equation(s) in " + std::to_string(m_n) +
                        " variables do not define a surface");
-    if (auto refusal = differentiate(p))
+    m_forms.differentiate(*m_system, p.data());
+    if (auto refusal = check_values())
       return *refusal;
     if (auto refusal = eliminate())
       return *refusal;
-    for (int i = 0; i < 2; ++i)
-      m_elimination.kernel_vector(i, m_basis[i]);
-    const Vector w1{m_basis[0][0], m_basis[0][1], m_basis[0][2]};
-    const Vector w2{m_basis[1][0], m_basis[1][1], m_basis[1][2]};
-    const Vector n = internal::cross(w1, w2);
+    m_forms.span_tangent_plane();
+    const Coordinates<NT, 3>& n = m_forms.normal();
     if (auto refusal = internal::refuse_zero(
           NT(internal::dot(n, n)), Refusal_code::PROJECTION_SINGULAR,
           "the squared normal of the projected tangent plane"))
       return *refusal;
-    second_derivatives(p);
-    if (auto refusal = check_redundancy())
+    m_forms.bend(p.data());
+    if (auto refusal = check_redundancy(p))
       return *refusal;
-    m_right_hand_side.assign(m_n, NT(0));
-    for (int i = 0; i < 3; ++i)
-      m_right_hand_side[i] = n[i];
-    m_elimination.multipliers(m_right_hand_side, m_alpha);
-    const std::array<NT, 3> h = combine(m_alpha);
-    return oriented(Local_shape_3<NT>::from_frame({p[0], p[1], p[2]}, w1, w2, h[0], h[1], h[2]));
+    if (auto refusal = internal::orient(*m_system, n, m_flipped))
+      return *refusal;
+    const std::array<NT, 3> h = m_forms.normal_form();
+    const auto s = Local_shape_3<NT>::from_frame({p[0], p[1], p[2]}, m_forms.projected(0),
+                                                 m_forms.projected(1), h[0], h[1], h[2]);
+    return m_flipped ? s.opposite() : s;
   }
 
-  std::optional<Refusal> differentiate(const std::vector<NT>& p)
+  std::optional<Refusal> check_values() const
   {
-    const Expression_tape& tape = m_system.tape();
-    m_values.resize(m_m);
-    m_gradient.resize(tape.gradient_pattern().number_of_entries());
-    tape.evaluate_with_gradient(p.data(), m_values.data(), m_gradient.data(), m_workspace);
+    const std::vector<NT>& values = m_forms.values();
     for (int k = 0; k < m_m; ++k)
-      if (!CGAL::possibly(is_zero_decision(m_values[k])))
-        if (auto refusal = internal::refuse_nonzero(
-              m_values[k], Refusal_code::NOT_ON_SOLUTION,
-              ("equation " + std::to_string(k + 1) + " at the point").c_str()))
-          return refusal;
+      if (internal::refuse_nonzero(values[k], Refusal_code::NOT_ON_SOLUTION, ""))
+        return internal::refuse_nonzero(
+          values[k], Refusal_code::NOT_ON_SOLUTION,
+          ("equation " + std::to_string(k + 1) + " at the point").c_str());
     return std::nullopt;
   }
 
   // Replays the prepared order; where it fails, the values at this point decide.
   std::optional<Refusal> eliminate()
   {
-    m_used_plan = m_system.elimination_plan();
-    if (m_used_plan)
-    {
-      const auto status = m_elimination.factor(*m_used_plan, m_gradient);
-      if (status == Elimination::Status::OK)
-        return std::nullopt;
-    }
-    m_plan = internal::plan_elimination(m_system.tape().gradient_pattern(), m_n, m_gradient);
+    m_used_plan = m_system->elimination_plan();
+    if (m_used_plan &&
+        m_forms.elimination().factor(*m_used_plan, m_forms.gradient()) == Status::OK)
+      return std::nullopt;
+    m_plan = internal::plan_elimination(m_system->tape().gradient_pattern(), m_n,
+                                        m_forms.gradient());
     m_used_plan = &m_plan;
     const int rank = m_plan.rank();
-    if (rank == m_n - 2)
-    {
-      const auto status = m_elimination.factor(m_plan, m_gradient, true);
-      if (status == Elimination::Status::OK)
-        return std::nullopt;
-    }
+    if (rank == m_n - 2 &&
+        m_forms.elimination().factor(m_plan, m_forms.gradient(), true) == Status::OK)
+      return std::nullopt;
     const std::string text = "the Jacobian has rank " + std::to_string(rank) + " of " +
                              std::to_string(m_n - 2) + " at the point";
     if (rank < m_n - 2)
@@ -166,113 +169,65 @@ private:
     return Refusal(Refusal_code::NOT_TWO_DIMENSIONAL, text);
   }
 
-  // The forms v_i' H_k v_j of all equations, from one pass of second-order jets along the basis.
-  void second_derivatives(const std::vector<NT>& p)
-  {
-    m_moving.resize(m_n);
-    m_jets.resize(m_m);
-    for (int i = 0; i < m_n; ++i)
-      m_moving[i] = J::along(p[i], {m_basis[0][i], m_basis[1][i]});
-    m_system.tape().evaluate(m_moving.data(), m_jets.data(), m_jet_workspace);
-  }
-
-  std::array<NT, 3> combine(const std::vector<NT>& weights) const
-  {
-    std::array<NT, 3> h{NT(0), NT(0), NT(0)};
-    for (int k = 0; k < m_m; ++k)
-    {
-      if (Number_type_traits<NT>::is_exact && CGAL::certainly(is_zero_decision(weights[k])))
-        continue;
-      h[0] += weights[k] * m_jets[k].derivative(0, 0);
-      h[1] += weights[k] * m_jets[k].derivative(0, 1);
-      h[2] += weights[k] * m_jets[k].derivative(1, 1);
-    }
-    return h;
-  }
-
   // Every combination of gradients that vanishes must have a vanishing second form on the tangent
   // plane: otherwise the equations do not hold on one surface.
-  std::optional<Refusal> check_redundancy()
+  std::optional<Refusal> check_redundancy(const std::vector<NT>& p)
   {
-    for (std::size_t r = 0; r < m_used_plan->redundant_rows.size(); ++r)
+    const std::vector<int>& rows = m_used_plan->redundant_rows;
+    for (std::size_t r = 0; r < rows.size(); ++r)
     {
-      m_elimination.left_kernel_vector(static_cast<int>(r), m_beta);
-      const std::array<NT, 3> h = combine(m_beta);
-      for (const NT& x : h)
-        if (!vanishes(x))
-          return Refusal(Refusal_code::INCONSISTENT_REDUNDANCY,
-                         "equation " + std::to_string(m_used_plan->redundant_rows[r] + 1) +
-                           " depends on others to first order but not to second (" +
-                           internal::text_of(x) + ")");
+      const std::array<NT, 3> h = m_forms.redundant_form(static_cast<int>(r));
+      if (const NT* x = find_nonzero(p, h, static_cast<int>(r)))
+        return Refusal(Refusal_code::INCONSISTENT_REDUNDANCY,
+                       "equation " + std::to_string(rows[r] + 1) +
+                         " depends on others to first order but not to second (" +
+                         internal::text_of(*x) + ")");
     }
     return std::nullopt;
   }
 
-  // In floating point a form that is rounding noise against the sizes that went into it vanishes.
-  bool vanishes(const NT& x) const
+  const NT* find_nonzero(const std::vector<NT>& p, const std::array<NT, 3>& h, int index)
   {
+    static_cast<void>(p);
+    static_cast<void>(index);
+    const NT* found = nullptr;
     if constexpr (Number_type_traits<NT>::is_exact || Number_type_traits<NT>::is_enclosure)
-      return CGAL::possibly(is_zero_decision(x));
+      found = find_if(h, [](const NT& x) { return !CGAL::possibly(is_zero_decision(x)); });
     else
     {
-      NT step(0), size(0);
-      for (int i = 0; i < m_n; ++i)
-        step += m_basis[0][i] * m_basis[0][i] + m_basis[1][i] * m_basis[1][i];
-      const Sparse_pattern& pattern = m_system.tape().gradient_pattern();
-      for (int k = 0; k < m_m; ++k)
-      {
-        NT slope(0);
-        for (std::size_t e = pattern.row_starts[k]; e < pattern.row_starts[k + 1]; ++e)
-          slope += std::fabs(m_gradient[e]);
-        size += std::fabs(m_beta[k]) *
-                (slope * step + std::fabs(m_jets[k].derivative(0, 0)) +
-                 std::fabs(m_jets[k].derivative(0, 1)) + std::fabs(m_jets[k].derivative(1, 1)));
-      }
-      return std::fabs(x) <= NT(internal::numerical_rank_tolerance) * size;
+      // A form that is rounding noise against the sizes that went into it vanishes.
+      const NT noise =
+        NT(internal::numerical_rank_tolerance) * m_forms.size_of_redundant_form(index);
+      found = find_if(h, [&](const NT& x) { return !(std::fabs(x) <= noise); });
+      if (found && may_vanish(p))
+        found = nullptr;
     }
+    return found;
   }
 
-  // An orientation that is undecided makes every odd sign undecided.
-  Result<Local_shape_3<NT>> oriented(const Local_shape_3<NT>& s)
+  template <class Predicate>
+  static const NT* find_if(const std::array<NT, 3>& h, Predicate predicate)
   {
-    const Vector& n = s.normal();
-    CGAL::Sign sign = CGAL::ZERO;
-    if (m_system.orientation())
-    {
-      Vector d;
-      for (int i = 0; i < 3; ++i)
-        d[i] = number_cast<NT>((*m_system.orientation())[i]);
-      if (auto refusal = orientation_sign(NT(internal::dot(n, d)), sign))
-        return *refusal;
-      if (sign == CGAL::ZERO)
-        return Refusal(Refusal_code::AMBIGUOUS,
-                       "the direction that orients the normal is orthogonal to it");
-    }
-    for (int i = 0; i < 3 && sign == CGAL::ZERO; ++i)
-      if (auto refusal = orientation_sign(n[i], sign))
-        return *refusal;
-    m_flipped = sign == CGAL::NEGATIVE;
-    return m_flipped ? s.opposite() : s;
+    const auto x = std::find_if(h.begin(), h.end(), predicate);
+    return x == h.end() ? nullptr : &*x;
   }
 
-  static std::optional<Refusal> orientation_sign(const NT& x, CGAL::Sign& sign)
+  [[gnu::noinline, gnu::cold]] bool may_vanish(const std::vector<NT>& p) const
   {
-    const auto decision = sign_decision(x);
-    if (!CGAL::is_certain(decision))
-      return Refusal(Refusal_code::UNDECIDED,
-                     "the orientation of the normal is undecided: " + internal::text_of(x));
-    sign = CGAL::make_certain(decision);
-    return std::nullopt;
+    const auto doubles = [](const std::vector<NT>& x) {
+      return std::vector<double>(x.begin(), x.end());
+    };
+    const auto& basis = m_forms.basis();
+    return internal::form_vanishes_nearby(*m_system, doubles(p),
+                                          {doubles(basis[0]), doubles(basis[1])},
+                                          doubles(m_forms.redundant_weights()));
   }
 
-  const N_space_system& m_system;
-  int m_n, m_m;
+  const N_space_system* m_system = nullptr;
+  int m_n = 0, m_m = 0;
   internal::Elimination_plan m_plan;
   const internal::Elimination_plan* m_used_plan = nullptr;
-  Elimination m_elimination;
-  std::vector<NT> m_values, m_gradient, m_workspace, m_right_hand_side, m_alpha, m_beta;
-  std::array<std::vector<NT>, 2> m_basis;
-  std::vector<J> m_moving, m_jets, m_jet_workspace;
+  Forms m_forms;
   bool m_flipped = false;
 };
 

@@ -12,9 +12,11 @@
 // The projection into space of a 2-manifold given by m equations in n variables
 // (Chuang and Hoffmann). The evaluation at a point is in N_space_evaluator.h.
 
+#include <CGAL/Shape_interrogation/Number_types/cast_argument.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_evaluator.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_system.h>
 
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -63,7 +65,15 @@ public:
   template <class NT>
   Result<Local_shape_3<NT>> operator()(const std::vector<NT>& point) const
   {
-    return N_space_evaluator<NT>(m_system)(point);
+    // Memory is kept from call to call for the types that hold none of their own.
+    if constexpr (std::is_trivially_destructible_v<NT>)
+    {
+      static thread_local N_space_evaluator<NT> evaluator;
+      evaluator.set_system(m_system);
+      return evaluator(point);
+    }
+    else
+      return N_space_evaluator<NT>(m_system)(point);
   }
 
   //! computes the same together with rank, tangent basis and multipliers.
@@ -76,6 +86,12 @@ public:
 private:
   N_space_system m_system;
 };
+
+namespace internal {
+
+template <> struct Needs_field<N_space_surface_3> : std::true_type {};
+
+} // namespace internal
 
 } // namespace Shape_interrogation
 } // namespace CGAL

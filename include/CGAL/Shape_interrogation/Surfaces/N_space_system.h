@@ -68,17 +68,8 @@ public:
   template <class NT>
   bool prepare(const std::vector<NT>& sample)
   {
-    if (sample.size() != m_variables.size())
-      return false;
-    std::vector<NT> gradient(m_tape.gradient_pattern().number_of_entries()), workspace;
-    try
-    {
-      m_tape.evaluate_with_gradient<NT>(sample.data(), nullptr, gradient.data(), workspace);
-    }
-    catch (const Shape_error&) { return false; }
-    internal::Elimination_plan plan =
-      internal::plan_elimination(m_tape.gradient_pattern(), number_of_variables(), gradient);
-    if (plan.rank() != number_of_variables() - 2)
+    std::optional<internal::Elimination_plan> plan = plan_at(sample);
+    if (!plan)
       return false;
     m_plan = std::move(plan);
     return true;
@@ -100,6 +91,25 @@ public:
 
 #ifndef DOXYGEN_RUNNING
   const internal::Elimination_plan* elimination_plan() const { return m_plan ? &*m_plan : nullptr; }
+
+  // The order of elimination that prepare() would choose.
+  template <class NT>
+  std::optional<internal::Elimination_plan> plan_at(const std::vector<NT>& sample) const
+  {
+    if (sample.size() != m_variables.size())
+      return std::nullopt;
+    std::vector<NT> gradient(m_tape.gradient_pattern().number_of_entries()), workspace;
+    try
+    {
+      m_tape.evaluate_with_gradient<NT>(sample.data(), nullptr, gradient.data(), workspace);
+    }
+    catch (const Shape_error&) { return std::nullopt; }
+    internal::Elimination_plan plan =
+      internal::plan_elimination(m_tape.gradient_pattern(), number_of_variables(), gradient);
+    if (plan.rank() != number_of_variables() - 2)
+      return std::nullopt;
+    return plan;
+  }
 #endif
 
 private:

@@ -13,7 +13,9 @@
 // multipliers of a row combination. Zero factors are skipped where a product is dear.
 
 #include <CGAL/Shape_interrogation/Surfaces/internal/Elimination_plan.h>
+#include <CGAL/Shape_interrogation/Surfaces/internal/Pack.h>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -28,7 +30,8 @@ public:
   enum class Status { OK, BAD_PIVOT, RANK_TOO_HIGH };
 
   // Factors the matrix whose pattern entries are `values`. BAD_PIVOT asks for another plan. A plan
-  // made from these values has judged the redundant rows already.
+  // made from these values has judged the redundant rows already. A pack always answers OK and
+  // marks the lanes for which that is so.
   Status factor(const Elimination_plan& plan, const std::vector<NT>& values,
                 bool plan_is_from_values = false)
   {
@@ -37,6 +40,8 @@ public:
     std::copy(values.begin(), values.end(), m_slots.begin());
     std::fill(m_slots.begin() + values.size(), m_slots.end(), NT(0));
     m_inverse.resize(plan.pivots.size());
+    if constexpr (Is_pack<NT>::value)
+      m_good = NT(1);
     for (std::size_t k = 0; k < plan.pivots.size(); ++k)
     {
       const Elimination_plan::Pivot& pivot = plan.pivots[k];
@@ -48,6 +53,9 @@ public:
     }
     return plan_is_from_values || remainders_vanish(values) ? Status::OK : Status::RANK_TOO_HIGH;
   }
+
+  // 1 in the lanes of a pack that were factored, 0 in the others.
+  const NT& good_lanes() const { return m_good; }
 
   // The kernel vector that is 1 in the free column `index` and 0 in the others.
   void kernel_vector(int index, std::vector<NT>& v) const
@@ -128,7 +136,21 @@ private:
       sum += a * b;
   }
 
-  bool is_good_pivot(const Elimination_plan::Pivot& pivot) const
+  bool is_good_pivot(const Elimination_plan::Pivot& pivot)
+  {
+    if constexpr (Is_pack<NT>::value)
+    {
+      NT largest(0);
+      for (int e = pivot.first_entry; e < pivot.last_entry; ++e)
+        largest = larger(fabs(m_slots[m_plan->entries[e].slot]), largest);
+      m_good *= is_greater(fabs(m_slots[pivot.slot]) * NT(1024), largest);
+      return true;
+    }
+    else
+      return is_large_enough(pivot);
+  }
+
+  bool is_large_enough(const Elimination_plan::Pivot& pivot) const
   {
     const double quality = pivot_quality(m_slots[pivot.slot]);
     if constexpr (Number_type_traits<NT>::is_exact || Number_type_traits<NT>::is_enclosure)
@@ -149,9 +171,17 @@ private:
       m_slots[m_plan->updates[u].target] -= factor * m_slots[m_plan->updates[u].source];
   }
 
-  bool remainders_vanish(const std::vector<NT>& values) const
+  bool remainders_vanish(const std::vector<NT>& values)
   {
-    if constexpr (Number_type_traits<NT>::is_exact || Number_type_traits<NT>::is_enclosure)
+    if constexpr (Is_pack<NT>::value)
+    {
+      NT scale(0);
+      for (const NT& x : values)
+        scale = larger(fabs(x), scale);
+      for (int slot : m_plan->remainders)
+        m_good *= NT(1) - is_greater(fabs(m_slots[slot]), NT(numerical_rank_tolerance) * scale);
+    }
+    else if constexpr (Number_type_traits<NT>::is_exact || Number_type_traits<NT>::is_enclosure)
     {
       for (int slot : m_plan->remainders)
         if (!CGAL::possibly(is_zero_decision(m_slots[slot])))
@@ -186,6 +216,7 @@ private:
 
   const Elimination_plan* m_plan = nullptr;
   std::vector<NT> m_slots, m_inverse;
+  NT m_good;
 };
 
 } // namespace internal
