@@ -61,6 +61,7 @@
 #include <CGAL/Shape_interrogation/Surfaces/Surface_derivatives_3.h>
 #include <CGAL/Shape_interrogation/Surfaces/access.h>
 #include <CGAL/Shape_interrogation/Surfaces/height_jet.h>
+#include <CGAL/Shape_interrogation/Surfaces/intersection_system.h>
 #include <CGAL/Shape_interrogation/Constraints/Constraint.h>
 #include <CGAL/Shape_interrogation/Constraints/Constraint_point_3.h>
 #include <CGAL/Shape_interrogation/Constraints/Constraint_system.h>

@@ -98,7 +98,8 @@ public:
         path.last_step = h;
         return path;
       }
-      if (end_at_branch(p, *q, h, path) || end_at_bound(p, *q, path) || end_at_start(start, p, *q, path))
+      if (end_at_branch(p, *q, h, path) || end_at_bound(p, *q, path) ||
+          end_at_start(start, p, *q, path))
         return path;
       const double angle = std::acos((std::min)(cosine, 1.));
       size = (std::min)(1., size * (std::min)(2., 0.7 * std::acos(m_limits.cos_turning) /

@@ -178,7 +178,8 @@ private:
       }
       const bool is_stopped =
         std::any_of(hole.begin(), hole.end(), [&](int corner) { return m_is_stop[corner]; });
-      if (v == a && !is_stopped && hole.size() >= 3 && *std::min_element(hole.begin(), hole.end()) == a)
+      const bool is_found_first = *std::min_element(hole.begin(), hole.end()) == a;
+      if (v == a && !is_stopped && hole.size() >= 3 && is_found_first)
         result.push_back(hole);
     }
     return result;
