@@ -12,6 +12,7 @@
 // Everything but meshing, files and the text parser, which cost seconds to compile: for quick
 // starts. Programs that compile often include what they use.
 
+#include <CGAL/Shape_interrogation/Number_types/Answer_union.h>
 #include <CGAL/Shape_interrogation/Number_types/Elementary_functions.h>
 #include <CGAL/Shape_interrogation/Number_types/Errors.h>
 #include <CGAL/Shape_interrogation/Number_types/Filter_answer.h>
@@ -37,6 +38,7 @@
 #include <CGAL/Shape_interrogation/Waist/Local_shape_3.h>
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>
 #include <CGAL/Shape_interrogation/Waist/Symmetric_matrix_3.h>
+#include <CGAL/Shape_interrogation/Waist/Unoriented_shape_3.h>
 #include <CGAL/Shape_interrogation/Curves/Bezier_curve_2.h>
 #include <CGAL/Shape_interrogation/Curves/Curve_derivatives_2.h>
 #include <CGAL/Shape_interrogation/Curves/Implicit_curve_2.h>

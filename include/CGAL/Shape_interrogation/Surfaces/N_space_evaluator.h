@@ -17,6 +17,7 @@
 #include <CGAL/Shape_interrogation/Surfaces/N_space_system.h>
 #include <CGAL/Shape_interrogation/Surfaces/internal/Sparse_elimination.h>
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>
+#include <CGAL/Shape_interrogation/Waist/Unoriented_shape_3.h>
 #include <CGAL/Shape_interrogation/Waist/internal/refuse.h>
 
 #include <string>
@@ -43,7 +44,9 @@ namespace Shape_interrogation {
  *
  * An evaluator is not thread-safe; use one in each thread. It keeps a reference to the system.
  *
- * An orienting direction that is orthogonal to the normal is refused (`AMBIGUOUS`).
+ * An orienting direction that is orthogonal to the normal is refused (`AMBIGUOUS`). Where an
+ * enclosure does not decide the side of the normal, `operator()` and `shape()` refuse (`UNDECIDED`)
+ * and `unoriented()` answers.
  *
  * \tparam NT a field number type
  *
@@ -63,7 +66,21 @@ public:
   //! computes the second-order data at `point`, which has one coordinate for each variable.
   Result<Local_shape_3<NT>> operator()(const std::vector<NT>& point)
   {
-    return internal::refuse_errors<Local_shape_3<NT>>([&] { return evaluate(point); });
+    const Result<Local_shape_3<NT>> s =
+      internal::refuse_errors<Local_shape_3<NT>>([&] { return evaluate(point); });
+    if (s && !m_is_oriented)
+      return Refusal(Refusal_code::UNDECIDED, "the orientation of the normal is undecided");
+    return s;
+  }
+
+  //! computes the data at `point`, with either normal where the enclosure does not decide its side.
+  Result<Unoriented_shape_3<NT>> unoriented(const std::vector<NT>& point)
+  {
+    const Result<Local_shape_3<NT>> s =
+      internal::refuse_errors<Local_shape_3<NT>>([&] { return evaluate(point); });
+    if (!s)
+      return s.refusal();
+    return Unoriented_shape_3<NT>(*s, m_is_oriented);
   }
 
   //! computes the data at `point` with rank, tangent basis and multipliers.
@@ -232,37 +249,33 @@ private:
     }
   }
 
-  // An orientation that is undecided makes every odd sign undecided.
+  // Orients by the given direction, else by the first component that is not zero.
   Result<Local_shape_3<NT>> oriented(const Local_shape_3<NT>& s)
   {
     const Vector& n = s.normal();
+    m_is_oriented = true;
     CGAL::Sign sign = CGAL::ZERO;
     if (m_system.orientation())
     {
       Vector d;
       for (int i = 0; i < 3; ++i)
         d[i] = number_cast<NT>((*m_system.orientation())[i]);
-      if (auto refusal = orientation_sign(NT(internal::dot(n, d)), sign))
-        return *refusal;
-      if (sign == CGAL::ZERO)
+      sign = orientation_sign(NT(internal::dot(n, d)));
+      if (m_is_oriented && sign == CGAL::ZERO)
         return Refusal(Refusal_code::AMBIGUOUS,
                        "the direction that orients the normal is orthogonal to it");
     }
-    for (int i = 0; i < 3 && sign == CGAL::ZERO; ++i)
-      if (auto refusal = orientation_sign(n[i], sign))
-        return *refusal;
+    for (int i = 0; i < 3 && m_is_oriented && sign == CGAL::ZERO; ++i)
+      sign = orientation_sign(n[i]);
     m_flipped = sign == CGAL::NEGATIVE;
     return m_flipped ? s.opposite() : s;
   }
 
-  static std::optional<Refusal> orientation_sign(const NT& x, CGAL::Sign& sign)
+  CGAL::Sign orientation_sign(const NT& x)
   {
-    const auto decision = sign_decision(x);
-    if (!CGAL::is_certain(decision))
-      return Refusal(Refusal_code::UNDECIDED,
-                     "the orientation of the normal is undecided: " + internal::text_of(x));
-    sign = CGAL::make_certain(decision);
-    return std::nullopt;
+    const auto sign = sign_decision(x);
+    m_is_oriented = CGAL::is_certain(sign);
+    return m_is_oriented ? CGAL::make_certain(sign) : CGAL::ZERO;
   }
 
   const N_space_system& m_system;
@@ -273,7 +286,7 @@ private:
   std::vector<NT> m_values, m_gradient, m_workspace, m_right_hand_side, m_alpha, m_beta;
   std::array<std::vector<NT>, 2> m_basis;
   std::vector<J> m_moving, m_jets, m_jet_workspace;
-  bool m_flipped = false;
+  bool m_is_oriented = false, m_flipped = false;
 };
 
 } // namespace Shape_interrogation
