@@ -20,6 +20,8 @@
 #include <CGAL/Shape_interrogation/Number_types/Number_type_traits.h>
 #include <CGAL/Shape_interrogation/Number_types/Prepared.h>
 #include <CGAL/Shape_interrogation/Number_types/Quadratic_field.h>
+#include <CGAL/Shape_interrogation/Number_types/Wide_interval.h>
+#include <CGAL/Shape_interrogation/Number_types/Wide_precision.h>
 #include <CGAL/Shape_interrogation/Number_types/cast_argument.h>
 #include <CGAL/Shape_interrogation/Number_types/number_cast.h>
 #include <CGAL/Shape_interrogation/Number_types/reduced_square_root.h>
