@@ -54,6 +54,7 @@
 #include <CGAL/Shape_interrogation/Surfaces/N_space_cross_checks.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_enclosure.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_evaluator.h>
+#include <CGAL/Shape_interrogation/Surfaces/N_space_refinement.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_shape_3.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_surface_3.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_system.h>
@@ -62,6 +63,7 @@
 #include <CGAL/Shape_interrogation/Surfaces/Patch_edge.h>
 #include <CGAL/Shape_interrogation/Surfaces/Surface_derivatives_3.h>
 #include <CGAL/Shape_interrogation/Surfaces/access.h>
+#include <CGAL/Shape_interrogation/Surfaces/decide_at.h>
 #include <CGAL/Shape_interrogation/Surfaces/height_jet.h>
 #include <CGAL/Shape_interrogation/Constraints/Constraint.h>
 #include <CGAL/Shape_interrogation/Constraints/Constraint_point_3.h>
@@ -77,6 +79,7 @@
 #include <CGAL/Shape_interrogation/Constraints/offset_system.h>
 #include <CGAL/Shape_interrogation/Constraints/parametric_graph.h>
 #include <CGAL/Shape_interrogation/Constraints/projection.h>
+#include <CGAL/Shape_interrogation/Constraints/prove_by_identities.h>
 #include <CGAL/Shape_interrogation/Constraints/rolling_ball.h>
 #include <CGAL/Shape_interrogation/Constraints/ruled_by_projection.h>
 #include <CGAL/Shape_interrogation/Constraints/trimming_surface.h>

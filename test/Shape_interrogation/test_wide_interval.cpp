@@ -129,6 +129,7 @@ TEST(Wide_interval, has_functions)
   const Wide x(Q(1) / 3);
   EXPECT_TRUE(contains(F::exp(F::log(x)), Q(1) / 3));
   EXPECT_TRUE(contains(F::sqrt(x) * F::sqrt(x), Q(1) / 3));
+  EXPECT_TRUE(contains(x.apply(mpfi_inv), Q(3)));
   EXPECT_TRUE(contains(F::sin(x) * F::sin(x) + F::cos(x) * F::cos(x), Q(1)));
   EXPECT_TRUE(contains(F::tan(F::atan(x)), Q(1) / 3));
   EXPECT_TRUE(contains(F::asin(x) + F::acos(x) - F::pi() / 2, Q(0)));
