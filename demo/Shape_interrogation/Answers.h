@@ -37,6 +37,15 @@ struct Signed_scalar
   std::optional<Scalar> squared;
 };
 
+// The proof of a point of a system that was asked for by an approximate one.
+struct Enclosure_answer
+{
+  std::vector<Scalar> box;                           // one interval a variable
+  std::vector<std::pair<std::string, Scalar>> fixed; // the variables that are held, and where
+  std::vector<int> equations;                        // of the proof, counted from 1
+  std::vector<int> others;                           // whose enclosures contain zero
+};
+
 // The answer to `curvature` and `shape_operator` about a surface.
 struct Surface_answer
 {
@@ -51,6 +60,7 @@ struct Surface_answer
   std::array<std::array<Scalar, 3>, 3> shape_operator;
   std::optional<Signed_scalar> normal_curvature;
   std::string hessian_case;
+  std::optional<Enclosure_answer> enclosure;
 };
 
 // The answer to `curvature` about a planar curve.

@@ -32,6 +32,10 @@ si::Result<std::vector<Curve_answer>> answer(const Curve_model& curve,
 template <class NT>
 si::Result<std::vector<Surface_answer>> answer(const Shape_operator_task& task);
 
+// About the proved point of a system, in as many bits as the nearest doubles of the values need.
+si::Result<std::vector<Surface_answer>> answer_in_bits(const Surface_model& surface,
+                                                       const Curvature_task& task);
+
 } // namespace interrogate
 
 #endif // INTERROGATE_ANSWER_H

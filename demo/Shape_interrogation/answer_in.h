@@ -13,6 +13,7 @@
 
 #include "answer.h"
 #include "curve_shapes.h"
+#include "describe_enclosure.h"
 #include "describe_shape.h"
 #include "exact_cost.h"
 #include "surface_shapes.h"
@@ -52,10 +53,37 @@ si::Result<Shapes<NT>> shapes_of(const Surface_model& surface, const std::vector
                 : surface_shapes(surface, at);
 }
 
+// About the point that is proved near the place: in the box that encloses it, or in as many bits as
+// it takes. (In floating point redundant equations beside the solution would not look like such.)
+template <class NT>
+si::Result<std::vector<Surface_answer>> answer_enclosed(const Surface_model& surface,
+                                                        const Curvature_task& task)
+{
+  if constexpr (!si::Number_type_traits<NT>::is_enclosure)
+    return answer_in_bits(surface, task);
+  else
+  {
+    const si::Result<Enclosed_place> place = enclose_place(surface, task);
+    if (!place)
+      return place.refusal();
+    std::vector<NT> at;
+    for (const CGAL::Interval_nt<false>& x : place->enclosure.box)
+      at.push_back(si::number_cast<NT>(Interval(x.pair())));
+    const si::Result<Surface_answer> described = describe_in_box(*place, task, at);
+    if (!described)
+      return described.refusal();
+    Surface_answer a = *described;
+    a.enclosure = describe_enclosure(*place);
+    return std::vector<Surface_answer>{a};
+  }
+}
+
 template <class NT>
 si::Result<std::vector<Surface_answer>> answer_about(const Surface_model& surface,
                                                      const Curvature_task& task)
 {
+  if (task.enclose)
+    return answer_enclosed<NT>(surface, task);
   if constexpr (si::Number_type_traits<NT>::is_exact)
     check_exact_cost(surface, task.at);
   const std::vector<NT> at = evaluate<NT>(task.at);

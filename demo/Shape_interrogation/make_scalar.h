@@ -12,8 +12,9 @@
 // From a number of any type to the scalar of the report, and from its decisions to the report's.
 
 #include "Answers.h"
-#include "Wide_interval.h"
+#include "evaluate_numbers.h"
 
+#include <CGAL/Shape_interrogation/Number_types/Wide_interval.h>
 #include <CGAL/Shape_interrogation/Number_types/reduced_square_root.h>
 
 #include <algorithm>
@@ -23,6 +24,10 @@
 #include <utility>
 
 namespace interrogate {
+
+// For values that have roots outside the exact field. Exact reals would do as well, but take
+// minutes to tell a nested root from zero; here a value that is zero is enclosed.
+using Wide = si::Wide_interval;
 
 inline std::string exact_text(const Rational& x)
 {
@@ -66,10 +71,8 @@ inline Scalar make_scalar(const Interval& x)
 // Without `approx` where the ends have different nearest doubles.
 inline Scalar make_scalar(const Wide& x)
 {
-  std::pair<double, double> ends(lower_end(x, MPFR_RNDD), upper_end(x, MPFR_RNDU));
-  if (!(ends.first <= ends.second)) // not a number: a quotient by an interval around zero
-    ends = Interval::largest().pair();
-  const double low = lower_end(x, MPFR_RNDN), high = upper_end(x, MPFR_RNDN);
+  const std::pair<double, double> ends = si::number_cast<Interval>(x).pair();
+  const auto [low, high] = x.ends(MPFR_RNDN, MPFR_RNDN);
   if (ends.first == ends.second)
     return Scalar{low + 0.0, exact_text(Rational(low)), {}}; // no -0
   if (low != high || !std::isfinite(low))
@@ -111,12 +114,12 @@ void approximate(std::optional<T>& value)
 template <class Ask>
 auto ask_sharply(Ask ask)
 {
-  const unsigned most_digits = 640;
-  for (unsigned digits = 40;; digits *= 2)
+  const int most_bits = 2176;
+  for (int bits = 136;; bits *= 2)
   {
-    Wide::default_precision(digits);
+    const si::Wide_precision precision(bits);
     auto answer = ask();
-    if (digits < most_digits && !is_sharp(answer))
+    if (bits < most_bits && !is_sharp(answer))
       continue;
     approximate(answer);
     return answer;

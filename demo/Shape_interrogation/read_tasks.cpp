@@ -77,7 +77,7 @@ Place_form form_of(const Unsupported&) { return {"", 0}; }
 
 std::vector<Number> read_locator(const Json_place& place, const Place_form& form)
 {
-  place.allow_only({form.field});
+  place.allow_only({form.field, "enclose"});
   const std::string what = "an array of " + std::to_string(form.size) +
                            (form.size == 1 ? " number" : " numbers");
   const Json_place numbers = place.field(form.field);
@@ -92,11 +92,22 @@ std::vector<Number> read_locator(const Json_place& place, const Place_form& form
   return point;
 }
 
-// Fields of the format that this version takes no part in.
-bool asks_for_enclosure(const Json_place& at)
+// Whether the locator asks for the proved point nearby. Parameters always give a point.
+bool asks_for_enclosure(const Json_place& at, const Place_form& form)
 {
   const std::optional<Json_place> enclose = at.find("enclose");
-  return enclose && enclose->boolean();
+  if (!enclose || !enclose->boolean())
+    return false;
+  if (form.field != std::string("point"))
+    enclose->fail("a place with parameters is on the surface or curve: \"enclose\" is for points of"
+                  " a system");
+  return true;
+}
+
+Unsupported_task no_enclosure(const std::string& kind)
+{
+  return Unsupported_task{"\"enclose\" for the kind \"" + kind + "\" is not available in this"
+                          " version: it is for the kind \"system\""};
 }
 
 std::vector<Number> read_direction(const Json_place& place, std::size_t n)
@@ -124,13 +135,14 @@ Task_data read_surface_curvature(const Json_place& place, const Model& model)
   if (const Unsupported* unsupported = std::get_if<Unsupported>(&surface.data))
     return no_kind(unsupported->kind);
   const Json_place at = place.field("at");
-  if (asks_for_enclosure(at))
-    return Unsupported_task{"\"enclose\" in a locator is not available in this version"};
+  const Place_form form = std::visit([](const auto& m) { return form_of(m); }, surface.data);
+  const System_model* system = std::get_if<System_model>(&surface.data);
   Curvature_task task;
   task.surface = name.string("");
-  const auto form = [](const auto& m) { return form_of(m); };
-  task.at = read_locator(at, std::visit(form, surface.data));
-  const System_model* system = std::get_if<System_model>(&surface.data);
+  task.at = read_locator(at, form);
+  task.enclose = asks_for_enclosure(at, form);
+  if (task.enclose && !system)
+    return no_enclosure("implicit");
   if (const std::optional<Json_place> direction = place.find("direction"))
     task.direction = read_direction(*direction, system ? system->variables.size() : 3);
   return task;
@@ -147,12 +159,12 @@ Task_data read_curve_curvature(const Json_place& place, const Model& model)
     return Unsupported_task{"the curvature of curves in space (" + in_space->kind +
                             ") is not available in this version"};
   const Json_place at = place.field("at");
-  if (asks_for_enclosure(at))
-    return Unsupported_task{"\"enclose\" in a locator is not available in this version"};
+  const Place_form form = std::visit([](const auto& m) { return form_of(m); }, curve);
   Curvature_task task;
   task.curve = name.string("");
-  const auto form = [](const auto& m) { return form_of(m); };
-  task.at = read_locator(at, std::visit(form, curve));
+  task.at = read_locator(at, form);
+  if (asks_for_enclosure(at, form))
+    return no_enclosure("implicit_2");
   return task;
 }
 

@@ -67,8 +67,25 @@ void mark_undecided(Task_result& result, const std::string& what)
   if (result.status != "ok")
     return;
   result.status = result.code = "undecided";
-  result.text = "the number type " + result.number_type + " does not decide " + what +
-                "; an exact one can where the data are algebraic";
+  result.text = result.fields.contains("enclosure")
+                  ? "the enclosure of the point does not decide " + what + "; an exact point can"
+                  : "the number type " + result.number_type + " does not decide " + what +
+                      "; an exact one can where the data are algebraic";
+}
+
+Report_json to_json(const Enclosure_answer& e)
+{
+  Report_json json = Report_json::object();
+  json["box"] = Report_json::array();
+  for (const Scalar& x : e.box)
+    json["box"].push_back(to_json(x));
+  json["fixed"] = Report_json::object();
+  for (const auto& [variable, value] : e.fixed)
+    json["fixed"][variable] = to_json(value);
+  json["equations"] = e.equations;
+  json["others_contain_zero"] = true; // else the point is refused
+  json["others"] = e.others;
+  return json;
 }
 
 } // namespace
@@ -121,6 +138,8 @@ void store(const Surface_answer& a, Task_result& result)
     json["normal_curvature"] = to_json(*a.normal_curvature);
   if (!a.hessian_case.empty())
     json["hessian_case"] = a.hessian_case;
+  if (a.enclosure)
+    json["enclosure"] = to_json(*a.enclosure);
   result.line = "K = " + brief(a.gaussian_curvature, result) +
                 ", H = " + brief(a.mean_curvature, result) +
                 ", umbilic: " + yes_or_no(a.umbilic);

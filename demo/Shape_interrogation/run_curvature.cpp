@@ -43,7 +43,7 @@ void fill(Task_result& result, const si::Result<std::vector<Answer>>& answers)
   }
 }
 
-// The values of filtered answers are doubles without a claim.
+// The values of filtered and of floating point answers are without a claim; a proof stays one.
 void drop_claims(Report_json& json)
 {
   if (json.is_object() && json.contains("approx"))
@@ -51,9 +51,9 @@ void drop_claims(Report_json& json)
     json.erase("exact");
     json.erase("interval");
   }
-  for (Report_json& part : json)
-    if (part.is_structured())
-      drop_claims(part);
+  for (const auto& item : json.items())
+    if (item.value().is_structured() && item.key() != "enclosure")
+      drop_claims(item.value());
 }
 
 // Intervals first, exact where they do not decide. At a point that is only near the surface there
@@ -86,7 +86,9 @@ void ask(Task_result& result, std::optional<Number_type> preferred, bool algebra
   {
   case Number_type::EXACT: return fill(result, ask_in(Quadratic()));
   case Number_type::INTERVAL: return fill(result, ask_in(Interval()));
-  case Number_type::DOUBLE: return fill(result, ask_in(double()));
+  case Number_type::DOUBLE:
+    fill(result, ask_in(double()));
+    return drop_claims(result.fields);
   case Number_type::FILTERED: return fill_filtered(result, algebraic, ask_in);
   }
 }
@@ -104,7 +106,11 @@ void run_curvature(const Model& model, const Curvature_task& task,
     return;
   }
   const Surface_model& surface = model.surfaces.at(task.surface);
-  ask(result, preferred, are_algebraic(std::visit(Functions_of(), surface.data)),
+  const bool algebraic = are_algebraic(std::visit(Functions_of(), surface.data));
+  if (task.enclose && !algebraic && !preferred)
+    preferred = Number_type::FILTERED;
+  // What an enclosed point leaves open is decided in more bits, whatever the functions.
+  ask(result, preferred, algebraic || task.enclose,
       [&](auto x) { return answer<decltype(x)>(surface, task); });
 }
 

@@ -11,6 +11,7 @@
 
 #include <CGAL/Shape_interrogation/Analysis/curvatures.h>
 #include <CGAL/Shape_interrogation/Constraints/offset_system.h>
+#include <CGAL/Shape_interrogation/Constraints/prove_by_identities.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_enclosure.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_surface_3.h>
 
@@ -29,9 +30,9 @@ struct Ellipsoid
 
 int main()
 {
-  const N_space_surface_3 offset(
-    offset_system(Implicit_entity_3(Ellipsoid(), "the ellipsoid"), CGAL::Exact_rational(1) / 2)
-      .n_space_system());
+  const Constraint_system constraints =
+    offset_system(Implicit_entity_3(Ellipsoid(), "the ellipsoid"), CGAL::Exact_rational(1) / 2);
+  const N_space_surface_3 offset(constraints.n_space_system());
 
   // About 1/2 outside of (2, 1, 0.5), and its foot point.
   const auto enclosure = enclose_solution(offset.system(), {2.2, 1.3, 1, 2, 1.1, 0.5});
@@ -41,6 +42,11 @@ int main()
   for (std::size_t i = 0; i < enclosure->box.size(); ++i)
     std::cout << offset.system().variables()[i] << " in [" << enclosure->box[i].inf() << ", "
               << enclosure->box[i].sup() << "]\n";
+
+  // Five equations of rank four: the fifth follows by an identity of the projection.
+  const N_space_enclosure proved = prove_by_identities(constraints, *enclosure);
+  for (int k : proved.others_proved)
+    std::cout << "equation " << k + 1 << " vanishes by an identity\n";
 
   CGAL::Interval_nt<false>::Protector protector;
   const auto shape = offset(enclosure->box);

@@ -12,6 +12,7 @@
 // Everything but meshing, files and the text parser, which cost seconds to compile: for quick
 // starts. Programs that compile often include what they use.
 
+#include <CGAL/Shape_interrogation/Number_types/Answer_union.h>
 #include <CGAL/Shape_interrogation/Number_types/Elementary_functions.h>
 #include <CGAL/Shape_interrogation/Number_types/Errors.h>
 #include <CGAL/Shape_interrogation/Number_types/Filter_answer.h>
@@ -19,6 +20,8 @@
 #include <CGAL/Shape_interrogation/Number_types/Number_type_traits.h>
 #include <CGAL/Shape_interrogation/Number_types/Prepared.h>
 #include <CGAL/Shape_interrogation/Number_types/Quadratic_field.h>
+#include <CGAL/Shape_interrogation/Number_types/Wide_interval.h>
+#include <CGAL/Shape_interrogation/Number_types/Wide_precision.h>
 #include <CGAL/Shape_interrogation/Number_types/cast_argument.h>
 #include <CGAL/Shape_interrogation/Number_types/number_cast.h>
 #include <CGAL/Shape_interrogation/Number_types/reduced_square_root.h>
@@ -37,6 +40,7 @@
 #include <CGAL/Shape_interrogation/Waist/Local_shape_3.h>
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>
 #include <CGAL/Shape_interrogation/Waist/Symmetric_matrix_3.h>
+#include <CGAL/Shape_interrogation/Waist/Unoriented_shape_3.h>
 #include <CGAL/Shape_interrogation/Curves/Bezier_curve_2.h>
 #include <CGAL/Shape_interrogation/Curves/Curve_derivatives_2.h>
 #include <CGAL/Shape_interrogation/Curves/Implicit_curve_2.h>
@@ -52,6 +56,7 @@
 #include <CGAL/Shape_interrogation/Surfaces/N_space_cross_checks.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_enclosure.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_evaluator.h>
+#include <CGAL/Shape_interrogation/Surfaces/N_space_refinement.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_shape_3.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_surface_3.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_system.h>
@@ -60,6 +65,7 @@
 #include <CGAL/Shape_interrogation/Surfaces/Patch_edge.h>
 #include <CGAL/Shape_interrogation/Surfaces/Surface_derivatives_3.h>
 #include <CGAL/Shape_interrogation/Surfaces/access.h>
+#include <CGAL/Shape_interrogation/Surfaces/decide_at.h>
 #include <CGAL/Shape_interrogation/Surfaces/height_jet.h>
 #include <CGAL/Shape_interrogation/Surfaces/intersection_system.h>
 #include <CGAL/Shape_interrogation/Constraints/Constraint.h>
@@ -76,6 +82,7 @@
 #include <CGAL/Shape_interrogation/Constraints/offset_system.h>
 #include <CGAL/Shape_interrogation/Constraints/parametric_graph.h>
 #include <CGAL/Shape_interrogation/Constraints/projection.h>
+#include <CGAL/Shape_interrogation/Constraints/prove_by_identities.h>
 #include <CGAL/Shape_interrogation/Constraints/rolling_ball.h>
 #include <CGAL/Shape_interrogation/Constraints/ruled_by_projection.h>
 #include <CGAL/Shape_interrogation/Constraints/trimming_surface.h>

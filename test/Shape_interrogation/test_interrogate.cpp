@@ -13,6 +13,7 @@
 
 #include <sys/wait.h>
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -210,6 +211,140 @@ TEST_F(Program, refusals_have_their_codes)
     EXPECT_GT(t[i]["reason"]["text"].get<std::string>().size(), 5u);
   }
   EXPECT_EQ(t[7]["status"], "ok");
+}
+
+// --- Points that are proved ----------------------------------------------------------------------
+
+// The offset of an ellipsoid, with three equations of rank two; a saddle with a vertical normal
+// where x = 1/3; and a cylinder.
+std::string enclosing_model(const std::string& tasks)
+{
+  return R"({ "surfaces": {
+    "offset": { "kind": "system", "variables": ["x","y","z","p","q","s"], "equations": [
+      "p^2/9 + q^2/4 + s^2 - 1", "(y-q)*2*s - (z-s)*q/2", "(z-s)*2*p/9 - (x-p)*2*s",
+      "(x-p)*q/2 - (y-q)*2*p/9", "(x-p)^2 + (y-q)^2 + (z-s)^2 - 1/4"] },
+    "saddle": { "kind": "system", "variables": ["x","y","z"],
+                "equations": ["z + z^3 - 2*(x - 1/3)^2 + y^2"] },
+    "tube": { "kind": "system", "variables": ["x","y","z","w"], "orient": [1,0,0],
+              "equations": ["w - x/3", "9*w^2 + z^2 - 2"] },
+    "wave": { "kind": "system", "variables": ["x","y","z"], "equations": ["z - sin(x)*y - x"] },
+    "sphere": { "kind": "implicit", "f": "x^2 + y^2 + z^2 - 1" },
+    "patch": { "kind": "bezier", "control_points": [[[0,0,0],[0,1,0]],[[1,0,0],[1,1,0]]] } },
+    "tasks": [)" + tasks + "] }";
+}
+
+TEST_F(Program, encloses_points_of_systems)
+{
+  const std::string at =
+    R"({"task":"curvature","surface":"offset","at":{"point":[2.2,1.3,1,2,1.1,0.5],"enclose":true})";
+  const Json t = report(write("m.json", enclosing_model(
+    at + "}," + at + R"(,"number_type":"interval"},)" + at + R"(,"number_type":"filtered"},)" + at +
+    R"(,"number_type":"double"})")), 0)["tasks"];
+  ASSERT_EQ(t.size(), 4u);
+  for (const Json& r : t)
+  {
+    EXPECT_EQ(r["status"], "ok");
+    EXPECT_EQ(r["sign_of_gaussian_curvature"], 1);
+    EXPECT_EQ(r["mean_curvature"]["sign"], 1);
+    EXPECT_EQ(r["umbilic"], false);
+    EXPECT_DOUBLE_EQ(r["gaussian_curvature"]["approx"], t[0]["gaussian_curvature"]["approx"]);
+    const Json& e = r["enclosure"];
+    ASSERT_EQ(e["box"].size(), 6u);
+    for (const Json& x : e["box"])
+    {
+      const double low = std::stod(x["interval"][0].get<std::string>());
+      const double high = std::stod(x["interval"][1].get<std::string>());
+      EXPECT_LE(low, high);
+      EXPECT_LT(high - low, 1e-14);
+    }
+    EXPECT_EQ(e["fixed"].size(), 2u);
+    for (const auto& [name, value] : e["fixed"].items())
+      EXPECT_TRUE(value.contains("exact")) << name;
+    EXPECT_EQ(e["equations"].size(), 4u);
+    EXPECT_EQ(e["others_contain_zero"], true);
+    ASSERT_EQ(e["others"].size(), 1u);
+    EXPECT_TRUE(e["others"][0] >= 2 && e["others"][0] <= 4); // of the projection
+  }
+  EXPECT_TRUE(t[0]["gaussian_curvature"].contains("interval"));
+  EXPECT_TRUE(t[1]["gaussian_curvature"].contains("interval"));
+  EXPECT_EQ(t[2]["gaussian_curvature"].size(), 2u); // approx and sign
+  EXPECT_EQ(t[3]["gaussian_curvature"].size(), 2u);
+}
+
+TEST_F(Program, leaves_open_what_an_enclosure_does_not_decide)
+{
+  const std::string saddle =
+    R"({"task":"curvature","surface":"saddle","at":{"point":["1/3",0,1e-7],"enclose":true})";
+  const Json t = report(write("m.json", enclosing_model(
+    saddle + R"(,"number_type":"interval"},)" + saddle + R"(},
+      {"task":"curvature","surface":"tube","at":{"point":[1,0,1,"0.3"],"enclose":true},
+       "direction":[0,1,0]},
+      {"task":"curvature","surface":"wave","at":{"point":[0.5,1,1],"enclose":true}})")),
+    1)["tasks"];
+  // The first component of the normal, which orients it, is hardly not zero.
+  EXPECT_EQ(t[0]["status"], "undecided");
+  EXPECT_EQ(t[0]["mean_curvature"]["sign"], "undecided");
+  EXPECT_EQ(t[0]["sign_of_gaussian_curvature"], -1);
+  EXPECT_EQ(t[0]["umbilic"], false);
+  EXPECT_FALSE(t[0].contains("principal_directions"));
+  EXPECT_EQ(t[1]["status"], "ok");
+  EXPECT_NEAR(std::abs(t[1]["mean_curvature"]["approx"].get<double>()), 1, 1e-12);
+  EXPECT_EQ(t[2]["mean_curvature"]["sign"], 1);
+  EXPECT_TRUE(t[2]["sign_of_gaussian_curvature"] == 0 ||
+              t[2]["sign_of_gaussian_curvature"] == "undecided");
+  EXPECT_EQ(t[3]["status"], "ok"); // transcendental: filtered, by enclosures
+  EXPECT_EQ(t[3]["number_type"], "filtered");
+  EXPECT_EQ(t[3]["sign_of_gaussian_curvature"], -1);
+}
+
+TEST_F(Program, does_not_guess_at_the_enclosed_point_of_the_appendix)
+{
+  std::ifstream in(examples / "appendix.json");
+  Json model = Json::parse(in);
+  Json task = model["tasks"][0];
+  task.erase("id");
+  task["at"]["enclose"] = true;
+  model["tasks"] = Json::array();
+  for (const char* type : {"exact", "interval", "filtered", "double"})
+  {
+    task["number_type"] = type;
+    model["tasks"].push_back(task);
+  }
+  for (const Json& t : report(write("m.json", model.dump()), 1)["tasks"])
+  {
+    EXPECT_EQ(t["status"], "undecided") << t["number_type"];
+    EXPECT_EQ(t["sign_of_gaussian_curvature"], "undecided");
+    EXPECT_EQ(t["mean_curvature"]["sign"], 1);
+    EXPECT_EQ(t["umbilic"], false);
+    EXPECT_EQ(t["enclosure"]["equations"].size(), 14u);
+    EXPECT_EQ(t["enclosure"]["others"].size(), 1u);
+  }
+}
+
+TEST_F(Program, refuses_what_it_cannot_enclose)
+{
+  const Json t = report(write("m.json", enclosing_model(
+    R"({"task":"curvature","surface":"offset","at":{"point":[0,0,0,0,0,0],"enclose":true}},
+       {"task":"curvature","surface":"offset",
+        "at":{"point":["1e200",0,0,"1e200",0,0],"enclose":true}},
+       {"task":"curvature","surface":"sphere","at":{"point":[1,0,0.1],"enclose":true}},
+       {"task":"curvature","surface":"sphere","at":{"point":[1,0,0],"enclose":false}})")),
+    1)["tasks"];
+  for (int i = 0; i < 2; ++i)
+  {
+    EXPECT_EQ(t[i]["status"], "refused") << i;
+    EXPECT_FALSE(t[i].contains("enclosure"));
+  }
+  EXPECT_EQ(t[2]["reason"]["code"], "unsupported");
+  EXPECT_EQ(t[3]["status"], "ok");
+  const auto unusable = [&](const std::string& task, const std::string& part) {
+    const fs::path model = write("w.json", enclosing_model(task));
+    expect_unusable("'" + model.string() + "' --out '" + (m_directory / "o").string() + "'", part);
+  };
+  unusable(R"({"task":"curvature","surface":"offset","at":{"point":[0,0,0,0,0,0],"enclose":1}})",
+           "tasks[0].at.enclose: expected true or false");
+  unusable(R"({"task":"curvature","surface":"patch","at":{"parameters":[0,0],"enclose":true}})",
+           "tasks[0].at.enclose: a place with parameters is on the surface");
 }
 
 TEST_F(Program, both_sides_of_a_knot_are_reported)

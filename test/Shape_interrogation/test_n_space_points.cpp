@@ -189,12 +189,14 @@ TEST(N_space_enclosure, contains_the_rational_point)
       EXPECT_GE(Q(e->box[k].sup()), p[k]);
       EXPECT_LT(e->box[k].sup() - e->box[k].inf(), 1e-10);
     }
-    if (CGAL::is_zero(p[0]))
-      continue; // the first component of the normal orients it
     Interval::Protector protector;
-    const auto shape = surface(e->box);
+    const auto shape = surface.unoriented(e->box);
     ASSERT_TRUE(shape) << shape.refusal().evidence();
-    EXPECT_TRUE(CGAL::certainly(sign_of_gaussian_curvature(*shape) == CGAL::POSITIVE));
+    const auto sign = [](const auto& s) { return sign_of_gaussian_curvature(s); };
+    EXPECT_TRUE(CGAL::certainly(shape->ask(sign) == CGAL::POSITIVE));
+    // The first component of the normal orients it.
+    EXPECT_EQ(shape->is_oriented(), !CGAL::is_zero(p[0]));
+    EXPECT_EQ(surface(e->box).has_value(), shape->is_oriented());
   }
   EXPECT_GT(proved, 250);
 }

@@ -215,14 +215,14 @@ private:
   {
     const Coordinates<double, 3> w1{f[0][lane], f[1][lane], f[2][lane]};
     const Coordinates<double, 3> w2{f[3][lane], f[4][lane], f[5][lane]};
-    bool is_to_be_turned = false;
-    if (internal::orient(m_system, internal::cross(w1, w2), is_to_be_turned))
+    internal::Normal_side side;
+    if (internal::orient(m_system, internal::cross(w1, w2), side))
       return false;
     const auto& x = *m_coordinates;
     Local_shape_3<double>& s = m_result->shapes[k];
     s = Local_shape_3<double>::from_frame({x[0][k], x[1][k], x[2][k]}, w1, w2, f[6][lane],
                                           f[7][lane], f[8][lane]);
-    if (is_to_be_turned)
+    if (side.is_to_be_turned)
       s = s.opposite();
     return true;
   }

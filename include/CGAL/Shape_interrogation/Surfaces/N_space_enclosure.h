@@ -19,6 +19,7 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/Interval_nt.h>
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <vector>
@@ -32,7 +33,8 @@ namespace Shape_interrogation {
  *
  * For the fixed coordinates at their values there is exactly one point in the box at which all of
  * `equations` vanish. The other equations are enclosed there by intervals that contain zero; that
- * they vanish is an assumption, which intervals cannot prove.
+ * they vanish is an assumption, which intervals cannot prove. Where the equations come from
+ * constraints, `prove_by_identities()` does.
  */
 struct N_space_enclosure
 {
@@ -40,6 +42,10 @@ struct N_space_enclosure
   std::array<int, 2> fixed{};           //!< the indices of the coordinates that are held fixed
   std::array<CGAL::Exact_rational, 2> values; //!< their values
   std::vector<int> equations;           //!< the indices of the `n - 2` equations of the proof
+  //! the indices of the other equations that are proved to vanish at the point
+  std::vector<int> others_proved;
+  //! the indices of those of which only is known that their enclosures contain zero
+  std::vector<int> others_contain_zero;
 };
 
 /*!
@@ -107,15 +113,22 @@ enclose_solution(const N_space_system& system, const std::vector<double>& start,
   }
   return internal::refuse_errors<N_space_enclosure>([&]() -> Result<N_space_enclosure> {
     internal::Krawczyk_operator krawczyk(system, e.fixed);
-    if (auto refusal = krawczyk.linearise(p->point))
+    std::vector<double> near = p->point;
+    for (int i = 0; i < 2; ++i)
+      near[e.fixed[i]] = number_cast<double>(e.values[i]);
+    if (auto refusal = krawczyk.linearise(near))
       return *refusal;
+    krawczyk.polish(near);
     Interval_nt<false>::Protector protector;
     std::array<Interval_nt<false>, 2> values;
     for (int i = 0; i < 2; ++i)
       values[i] = number_cast<Interval_nt<false>>(e.values[i]);
-    if (auto refusal = krawczyk.enclose(p->point, values, e.box))
+    if (auto refusal = krawczyk.enclose(near, values, e.box))
       return *refusal;
     e.equations = krawczyk.equations();
+    for (int k = 0; k < system.number_of_equations(); ++k)
+      if (!std::binary_search(e.equations.begin(), e.equations.end(), k))
+        e.others_contain_zero.push_back(k);
     return e;
   });
 }

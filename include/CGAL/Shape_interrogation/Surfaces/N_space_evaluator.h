@@ -18,6 +18,7 @@
 #include <CGAL/Shape_interrogation/Surfaces/internal/N_space_forms.h>
 #include <CGAL/Shape_interrogation/Surfaces/internal/orient_n_space_shape.h>
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>
+#include <CGAL/Shape_interrogation/Waist/Unoriented_shape_3.h>
 #include <CGAL/Shape_interrogation/Waist/internal/refuse.h>
 
 #include <algorithm>
@@ -50,7 +51,9 @@ class N_space_surface_3;
  *
  * An evaluator is not thread-safe; use one in each thread. It keeps a reference to the system.
  *
- * An orienting direction that is orthogonal to the normal is refused (`AMBIGUOUS`).
+ * An orienting direction that is orthogonal to the normal is refused (`AMBIGUOUS`). Where an
+ * enclosure does not decide the side of the normal, `operator()` and `shape()` refuse (`UNDECIDED`)
+ * and `unoriented()` answers.
  *
  * \tparam NT a field number type
  *
@@ -67,7 +70,21 @@ public:
   //! computes the second-order data at `point`, which has one coordinate for each variable.
   Result<Local_shape_3<NT>> operator()(const std::vector<NT>& point)
   {
-    return internal::refuse_errors<Local_shape_3<NT>>([&] { return evaluate(point); });
+    const Result<Local_shape_3<NT>> s =
+      internal::refuse_errors<Local_shape_3<NT>>([&] { return evaluate(point); });
+    if (s && !m_side.is_decided)
+      return Refusal(Refusal_code::UNDECIDED, "the orientation of the normal is undecided");
+    return s;
+  }
+
+  //! computes the data at `point`, with either normal where the enclosure does not decide its side.
+  Result<Unoriented_shape_3<NT>> unoriented(const std::vector<NT>& point)
+  {
+    const Result<Local_shape_3<NT>> s =
+      internal::refuse_errors<Local_shape_3<NT>>([&] { return evaluate(point); });
+    if (!s)
+      return s.refusal();
+    return Unoriented_shape_3<NT>(*s, m_side.is_decided);
   }
 
   //! computes the data at `point` with rank, tangent basis and multipliers.
@@ -81,7 +98,7 @@ public:
     full.rank = m_n - 2;
     full.tangent_basis = m_forms.basis();
     full.multipliers = m_forms.multipliers();
-    if (m_flipped)
+    if (m_side.is_to_be_turned)
       for (NT& alpha : full.multipliers)
         alpha = -alpha;
     full.redundant_equations = m_used_plan->redundant_rows;
@@ -127,12 +144,12 @@ private:
     m_forms.bend(p.data());
     if (auto refusal = check_redundancy(p))
       return *refusal;
-    if (auto refusal = internal::orient(*m_system, n, m_flipped))
+    if (auto refusal = internal::orient(*m_system, n, m_side))
       return *refusal;
     const std::array<NT, 3> h = m_forms.normal_form();
     const auto s = Local_shape_3<NT>::from_frame({p[0], p[1], p[2]}, m_forms.projected(0),
                                                  m_forms.projected(1), h[0], h[1], h[2]);
-    return m_flipped ? s.opposite() : s;
+    return m_side.is_to_be_turned ? s.opposite() : s;
   }
 
   std::optional<Refusal> check_values() const
@@ -228,7 +245,7 @@ private:
   internal::Elimination_plan m_plan;
   const internal::Elimination_plan* m_used_plan = nullptr;
   Forms m_forms;
-  bool m_flipped = false;
+  internal::Normal_side m_side;
 };
 
 } // namespace Shape_interrogation

@@ -34,7 +34,8 @@ namespace Shape_interrogation {
  * \f$ p + s v_1 + t v_2 \f$ suffice, at a cost linear in the length of the equations.
  *
  * The normal is oriented so that its first non-zero component is positive, or has a positive
- * product with the orientation of the system where that is given.
+ * product with the orientation of the system where that is given. Where an enclosure does not
+ * decide that, `unoriented()` has the answers that do not depend on it.
  *
  * An enclosure answers for every point that it cannot prove not to be a solution; so does a filter.
  *
@@ -76,7 +77,14 @@ public:
       return N_space_evaluator<NT>(m_system)(point);
   }
 
-  //! computes the same together with rank, tangent basis and multipliers.
+  //! computes the data with either normal, where an enclosure does not decide its side.
+  template <class NT>
+  Result<Unoriented_shape_3<NT>> unoriented(const std::vector<NT>& point) const
+  {
+    return N_space_evaluator<NT>(m_system).unoriented(point);
+  }
+
+  //! computes the oriented data together with rank, tangent basis and multipliers.
   template <class NT>
   Result<N_space_shape_3<NT>> shape(const std::vector<NT>& point) const
   {

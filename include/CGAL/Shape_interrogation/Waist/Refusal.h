@@ -12,6 +12,7 @@
 // A question without an answer is answered by a typed refusal with its evidence,
 // never by NaN, an assertion or a wrong number.
 
+#include <CGAL/Shape_interrogation/Number_types/Answer_union.h>
 #include <CGAL/Shape_interrogation/Number_types/Filter_answer.h>
 
 #include <CGAL/assertions.h>
@@ -200,6 +201,21 @@ private:
       return false;
     answer.emplace(refusal);
     return true;
+  }
+};
+
+template <class T>
+struct Answer_union<Result<T>>
+{
+  static Result<T> of(const Result<T>& a, const Result<T>& b)
+  {
+    if (a && b)
+      return Answer_union<T>::of(*a, *b);
+    if (!a && !b && a.refusal().code() == b.refusal().code())
+      return a;
+    return Refusal(Refusal_code::UNDECIDED, "of two cases, of which the enclosure does not decide,"
+                                            " one is refused: " +
+                                              (a ? b : a).refusal().evidence());
   }
 };
 

@@ -98,6 +98,7 @@ public:
         m_rows[i][pattern.columns[k]] = static_cast<int>(k);
         ++m_column_counts[pattern.columns[k]];
         m_scale[i] = (std::max)(m_scale[i], magnitude(values[k]));
+        m_largest_scale = (std::max)(m_largest_scale, m_scale[i]);
       }
   }
 
@@ -129,8 +130,20 @@ private:
       return std::fabs(number_cast<double>(x));
   }
 
+  // In floating point, rows that are small beside others or have nearly cancelled wait until there
+  // are no others: beside a solution, redundant rows are not quite zero or dependent.
+  bool find_pivot(int& row, int& column)
+  {
+    constexpr bool has_noise =
+      !Number_type_traits<NT>::is_exact && !Number_type_traits<NT>::is_enclosure;
+    for (; has_noise && m_patience > 0; --m_patience)
+      if (find_acceptable_pivot(row, column))
+        return true;
+    return find_acceptable_pivot(row, column);
+  }
+
   // The smallest fill estimate (r - 1)(c - 1) among pivots that are not small in their row.
-  bool find_pivot(int& row, int& column) const
+  bool find_acceptable_pivot(int& row, int& column) const
   {
     long best = -1;
     double best_quality = 0;
@@ -167,7 +180,10 @@ private:
     // An enclosure takes whatever is certainly not zero; only floating point guesses what is noise.
     if constexpr (Number_type_traits<NT>::is_enclosure)
       return 0.1 * largest;
-    return (std::max)(0.1 * largest, numerical_rank_tolerance * m_scale[i]);
+    if (m_patience == 0)
+      return (std::max)(0.1 * largest, numerical_rank_tolerance * m_scale[i]);
+    const double size = m_patience == 1 ? 0 : std::ldexp(m_largest_scale, 10 * (m_patience - 7));
+    return (std::max)({0.1 * largest, m_scale[i] / 1024, size});
   }
 
   void eliminate(int row, int column)
@@ -239,6 +255,8 @@ private:
   std::vector<int> m_column_counts;
   std::vector<NT> m_values;
   std::vector<double> m_scale;
+  double m_largest_scale = 0;
+  int m_patience = 6; // with less and less of it smaller and smaller rows are taken
   std::vector<bool> m_active;
   const Elimination_limits& m_limits;
 };

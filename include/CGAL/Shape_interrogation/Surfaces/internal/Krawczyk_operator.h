@@ -12,6 +12,7 @@
 // Krawczyk's operator K(X) = m - C g(m) + (I - C g'(X)) (X - m) for n - 2 equations g of a system
 // in the n - 2 coordinates that are not fixed: K(X) inside X proves exactly one zero in X.
 
+#include <CGAL/Shape_interrogation/Number_types/Answer_union.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_system.h>
 #include <CGAL/Shape_interrogation/Surfaces/internal/Elimination_plan.h>
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>
@@ -50,6 +51,8 @@ public:
   }
 
   const std::vector<int>& equations() const { return m_equations; }
+  const std::vector<int>& unknowns() const { return m_unknowns; }
+  const Eigen::MatrixXd& inverse() const { return m_inverse; } // C
 
   // Chooses equations that are independent at p, and inverts their Jacobian.
   std::optional<Refusal> linearise(const std::vector<double>& p)
@@ -59,7 +62,9 @@ public:
     Elimination_limits limits;
     limits.max_rank = m_n - 2;
     limits.free_columns = {m_fixed[0], m_fixed[1]};
-    const Elimination_plan plan = plan_elimination(pattern, m_n, gradient, limits);
+    Elimination_plan plan = plan_elimination(pattern, m_n, gradient_around(p), limits);
+    if (plan.rank() < m_n - 2)
+      plan = plan_elimination(pattern, m_n, gradient, limits);
     if (plan.rank() < m_n - 2)
       return Refusal(Refusal_code::RANK_DEFICIENT,
                      "with the variables " + m_system.variables()[m_fixed[0]] + " and " +
@@ -69,13 +74,52 @@ public:
     for (const Elimination_plan::Pivot& pivot : plan.pivots)
       m_equations.push_back(pivot.row);
     std::sort(m_equations.begin(), m_equations.end());
-    Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(m_n - 2, m_n - 2);
-    for (int k = 0; k < m_n - 2; ++k)
-      for_each_entry(k, [&](int column, std::size_t e) { jacobian(k, column) = gradient[e]; });
-    m_inverse = jacobian.inverse();
-    if (!m_inverse.allFinite())
-      return Refusal(Refusal_code::RANK_DEFICIENT, "the Jacobian of the unknowns is singular");
-    return std::nullopt;
+    return invert(gradient);
+  }
+
+  // Inverts the Jacobian at p of equations that were chosen before.
+  std::optional<Refusal> linearise(const std::vector<double>& p, const std::vector<int>& equations)
+  {
+    m_equations = equations;
+    return invert(m_system.tape().gradient(p));
+  }
+
+  // Newton steps with the inverse as it is, as long as they become smaller.
+  void polish(std::vector<double>& p) const
+  {
+    std::vector<double> values(m_system.number_of_equations()), workspace;
+    Eigen::VectorXd residual(m_equations.size());
+    for (double size, previous = HUGE_VAL;; previous = size)
+    {
+      m_system.tape().evaluate(p.data(), values.data(), workspace);
+      for (std::size_t k = 0; k < m_equations.size(); ++k)
+        residual(k) = values[m_equations[k]];
+      const Eigen::VectorXd step = m_inverse * residual;
+      size = step.lpNorm<Eigen::Infinity>();
+      if (!(size < previous / 2))
+        return;
+      for (std::size_t j = 0; j < m_unknowns.size(); ++j)
+        p[m_unknowns[j]] -= step(j);
+    }
+  }
+
+  // I - C g'(box), row by row. Needs rounding upward.
+  std::vector<Interval> defect(const Box& box)
+  {
+    const Sparse_pattern& pattern = m_system.tape().gradient_pattern();
+    m_gradient.resize(pattern.number_of_entries());
+    m_system.tape().template evaluate_with_gradient<Interval>(box.data(), nullptr,
+                                                              m_gradient.data(), m_workspace);
+    const std::size_t size = m_unknowns.size();
+    std::vector<Interval> defect(size * size, Interval(0));
+    for (std::size_t i = 0; i < size; ++i)
+      defect[i * size + i] = Interval(1);
+    for (std::size_t k = 0; k < size; ++k)
+      for_each_entry(static_cast<int>(k), [&](int column, std::size_t e) {
+        for (std::size_t i = 0; i < size; ++i)
+          defect[i * size + column] -= Interval(m_inverse(i, k)) * m_gradient[e];
+      });
+    return defect;
   }
 
   // The smallest box around p that the test reaches. Needs rounding upward.
@@ -114,6 +158,32 @@ public:
   }
 
 private:
+  std::optional<Refusal> invert(const std::vector<double>& gradient)
+  {
+    Eigen::MatrixXd jacobian = Eigen::MatrixXd::Zero(m_n - 2, m_n - 2);
+    for (int k = 0; k < m_n - 2; ++k)
+      for_each_entry(k, [&](int column, std::size_t e) { jacobian(k, column) = gradient[e]; });
+    m_inverse = jacobian.inverse();
+    if (!m_inverse.allFinite())
+      return Refusal(Refusal_code::RANK_DEFICIENT, "the Jacobian of the unknowns is singular");
+    return std::nullopt;
+  }
+
+  // In a box around p that should contain the solution. Near it only intervals tell redundant
+  // equations, and such without a gradient, from others that are small.
+  Box gradient_around(const std::vector<double>& p) const
+  {
+    const double size = Eigen::Map<const Eigen::VectorXd>(p.data(), m_n).lpNorm<Eigen::Infinity>();
+    Interval::Protector protector;
+    Box box;
+    for (double x : p)
+    {
+      const double radius = std::ldexp(std::fabs(x), -44) + std::ldexp(size, -50);
+      box.push_back(Interval(x) + Interval(-radius, radius));
+    }
+    return m_system.tape().gradient(box);
+  }
+
   // Calls f with the place of the unknown and the number of the entry, for a chosen equation.
   template <class Function>
   void for_each_entry(int k, Function f) const
@@ -134,9 +204,10 @@ private:
   // C g, for the values of the last evaluation.
   Box preconditioned_values() const
   {
-    Box product(m_unknowns.size(), Interval(0));
-    for (std::size_t i = 0; i < m_unknowns.size(); ++i)
-      for (std::size_t k = 0; k < m_equations.size(); ++k)
+    const std::size_t size = m_unknowns.size();
+    Box product(size, Interval(0));
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t k = 0; k < size; ++k)
         product[i] += Interval(m_inverse(i, k)) * m_values[m_equations[k]];
     return product;
   }
@@ -144,19 +215,12 @@ private:
   // The unknowns of K(box).
   Box apply(const Box& middle, const Box& newton, const Box& box)
   {
-    const Sparse_pattern& pattern = m_system.tape().gradient_pattern();
-    m_gradient.resize(pattern.number_of_entries());
-    m_system.tape().template evaluate_with_gradient<Interval>(box.data(), nullptr,
-                                                              m_gradient.data(), m_workspace);
     const std::size_t size = m_unknowns.size();
-    std::vector<Interval> defect(size * size, Interval(0)); // I - C g'(X)
-    for (std::size_t i = 0; i < size; ++i)
-      defect[i * size + i] = Interval(1);
-    for (std::size_t k = 0; k < size; ++k)
-      for_each_entry(static_cast<int>(k), [&](int column, std::size_t e) {
-        for (std::size_t i = 0; i < size; ++i)
-          defect[i * size + column] -= Interval(m_inverse(i, k)) * m_gradient[e];
-      });
+    // The mean value theorem needs the derivatives between the middle and the box, too.
+    Box hull = box;
+    for (int j : m_unknowns)
+      hull[j] = Answer_union<Interval>::of(box[j], middle[j]);
+    const std::vector<Interval> defect = this->defect(hull);
     Box image(size);
     for (std::size_t i = 0; i < size; ++i)
     {

@@ -25,39 +25,42 @@ namespace CGAL {
 namespace Shape_interrogation {
 namespace internal {
 
-template <class NT>
-std::optional<Refusal> refuse_orientation(const NT& x, CGAL::Sign& sign)
+struct Normal_side
 {
-  const auto decision = sign_decision(x);
-  if (!CGAL::is_certain(decision))
-    return Refusal(Refusal_code::UNDECIDED,
-                   "the orientation of the normal is undecided: " + text_of(x));
-  sign = CGAL::make_certain(decision);
-  return std::nullopt;
+  bool is_decided = true;
+  bool is_to_be_turned = false;
+};
+
+// The sign that decides the side, zero if it is undecided or there is none.
+template <class NT>
+CGAL::Sign side_sign(const NT& x, Normal_side& side)
+{
+  const auto sign = sign_decision(x);
+  side.is_decided = CGAL::is_certain(sign);
+  return side.is_decided ? CGAL::make_certain(sign) : CGAL::ZERO;
 }
 
-// Finds whether the normal `n` has to be turned. An orientation that is undecided makes every odd
-// sign undecided.
+// Finds whether the normal `n` has to be turned: by the given direction, else by the first
+// component that is not zero.
 template <class NT>
 std::optional<Refusal> orient(const N_space_system& system, const Coordinates<NT, 3>& n,
-                              bool& is_to_be_turned)
+                              Normal_side& side)
 {
+  side = Normal_side();
   CGAL::Sign sign = CGAL::ZERO;
   if (system.orientation())
   {
     Coordinates<NT, 3> d;
     for (int i = 0; i < 3; ++i)
       d[i] = number_cast<NT>((*system.orientation())[i]);
-    if (auto refusal = refuse_orientation(NT(dot(n, d)), sign))
-      return refusal;
-    if (sign == CGAL::ZERO)
+    sign = side_sign(NT(dot(n, d)), side);
+    if (side.is_decided && sign == CGAL::ZERO)
       return Refusal(Refusal_code::AMBIGUOUS,
                      "the direction that orients the normal is orthogonal to it");
   }
-  for (int i = 0; i < 3 && sign == CGAL::ZERO; ++i)
-    if (auto refusal = refuse_orientation(n[i], sign))
-      return refusal;
-  is_to_be_turned = sign == CGAL::NEGATIVE;
+  for (int i = 0; i < 3 && side.is_decided && sign == CGAL::ZERO; ++i)
+    sign = side_sign(n[i], side);
+  side.is_to_be_turned = sign == CGAL::NEGATIVE;
   return std::nullopt;
 }
 
