@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -46,6 +47,8 @@ public:
     {
       const auto [corner, next_side] = m_corners.back();
       m_corners.pop_back();
+      if (!m_traced.insert({corner, next_side}).second)
+        continue;
       const Cover_vertex start = m_cover.vertices()[corner];
       if (!has_boundary_near(start.chart, next_side, 1.3, corner))
         trace_from(start, next_side, corner);
@@ -200,7 +203,8 @@ private:
     }
     int corner = -1;
     m_cover.for_each_near(v.chart, 0.3, [&](const Near_vertex& near) {
-      if (is_corner(m_cover.vertices()[near.vertex]))
+      const std::uint64_t sides = m_cover.vertices()[near.vertex].sides;
+      if ((sides & v.sides) == v.sides || (sides != 0 && near.distance < 1e-6))
         corner = near.vertex;
     });
     if (corner < 0)
@@ -216,6 +220,7 @@ private:
   N_space_cover& m_cover;
   Go_on m_go_on;
   std::vector<std::pair<int, int>> m_corners; // with the side still to be traced
+  std::set<std::pair<int, int>> m_traced;     // of these
 };
 
 } // namespace internal

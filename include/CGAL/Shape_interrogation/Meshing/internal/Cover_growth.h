@@ -27,10 +27,9 @@ namespace CGAL {
 namespace Shape_interrogation {
 namespace internal {
 
-// The Voronoi cell of a vertex in its chart among the vertices near it.
-inline Voronoi_cell cell_of(const N_space_cover& cover, int vertex)
+// The Voronoi cell of a vertex in its chart among the vertices near it, in a square frame.
+inline Voronoi_cell cell_of(const N_space_cover& cover, int vertex, double frame)
 {
-  constexpr double frame = 1.6;
   Voronoi_cell cell(frame);
   std::vector<Near_vertex> near = cover.near(vertex, 2.4);
   std::sort(near.begin(), near.end(), [](const Near_vertex& a, const Near_vertex& b) {
@@ -138,7 +137,7 @@ private:
   {
     for (int attempt = 0; attempt < 12; ++attempt)
     {
-      const Voronoi_cell cell = cell_of(m_cover, vertex);
+      const Voronoi_cell cell = cell_of(m_cover, vertex, 1.6);
       const double turning = largest_turning(vertex, cell);
       if (turning > 0.9 * m_cover.max_turning() &&
           m_cover.shrink(vertex, 0.8 * m_cover.max_turning() / turning))

@@ -23,6 +23,7 @@
 #include <deque>
 #include <optional>
 #include <string>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -179,9 +180,11 @@ public:
     return true;
   }
 
+  // The first reason at a vertex stands for all directions.
   void stop(int vertex, Refusal_code code, std::string evidence)
   {
-    m_stops.push_back({vertex, code, std::move(evidence)});
+    if (m_is_stop.insert(vertex).second)
+      m_stops.push_back({vertex, code, std::move(evidence)});
   }
 
   // A vertex can be found to lie on more bounds.
@@ -202,6 +205,7 @@ private:
   std::vector<Cover_vertex> m_vertices;
   std::deque<int> m_queue;
   std::vector<Cover_stop> m_stops;
+  std::unordered_set<int> m_is_stop;
 };
 
 } // namespace internal

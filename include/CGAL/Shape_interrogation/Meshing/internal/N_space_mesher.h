@@ -60,10 +60,22 @@ public:
     if (m_cover.vertices().empty())
       refuse_mesh(Refusal_code::NOT_ON_SOLUTION, "no start point leads to the surface");
     const std::vector<Soup_triangle> triangles = triangulate();
+    if (triangles.empty())
+      refuse_no_triangles();
     return build(triangles);
   }
 
 private:
+  [[noreturn]] void refuse_no_triangles() const
+  {
+    if (!m_cover.stops().empty())
+      refuse_mesh(m_cover.stops()[0].code,
+                  "no triangle could be made: " + m_cover.stops()[0].evidence);
+    refuse_mesh(Refusal_code::OUTSIDE_DOMAIN,
+                "no triangle could be made: the part of the surface within the bounds is too "
+                "small for the length of the edges");
+  }
+
   void start_at(const std::vector<double>& p, std::size_t index)
   {
     const std::string name = "start point " + std::to_string(index + 1);

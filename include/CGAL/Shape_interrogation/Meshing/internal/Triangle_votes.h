@@ -36,24 +36,42 @@ struct Candidate_triangle
   double radius = 0; // of the circumcircle, in units
 };
 
+// A cover leaves no empty circle much larger than 1. Along bounds, vertices can lie nearly on a
+// line, and triangles are flat.
+inline bool is_too_large(const N_space_cover& cover, const std::array<int, 3>& t, double radius)
+{
+  const auto& vertices = cover.vertices();
+  for (int v : t)
+    if (vertices[v].sides == 0)
+      return radius > 1.15;
+  for (int i = 0; i < 3; ++i)
+    if (length(place_in(vertices[t[i]].chart, vertices[t[(i + 1) % 3]].chart.point).at) > 1.8)
+      return true;
+  return false;
+}
+
 // Each triangle once, with the number of its vertices that have it in their Delaunay triangulation.
 template <class Go_on>
 std::vector<Candidate_triangle> candidate_triangles(const N_space_cover& cover, Go_on go_on)
 {
-  constexpr double largest_radius = 1.15;
   std::vector<Candidate_triangle> all;
   for (int p = 0; p < static_cast<int>(cover.vertices().size()); ++p)
   {
     go_on();
-    const Voronoi_cell cell = cell_of(cover, p);
+    const Voronoi_cell cell = cell_of(cover, p, 1000);
     for (const Voronoi_cell::Corner& c : cell.corners())
     {
       if (c.before < 0 || c.after < 0 || c.before == c.after)
         continue;
+      // A surface that cannot be oriented is cut where its charts disagree.
+      const N_space_chart& chart = cover.vertices()[p].chart;
+      if (angle_between(chart, cover.vertices()[c.before].chart).is_reversed ||
+          angle_between(chart, cover.vertices()[c.after].chart).is_reversed)
+        continue;
       const auto unit = [&](int v) { return cover.vertices()[v].chart.unit(); };
       const double radius =
         std::hypot(c.x, c.y) * 3 * unit(p) / (unit(p) + unit(c.before) + unit(c.after));
-      if (radius > largest_radius)
+      if (is_too_large(cover, {p, c.before, c.after}, radius))
         continue;
       std::array<int, 3> t{p, c.before, c.after};
       std::rotate(t.begin(), std::min_element(t.begin(), t.end()), t.end());
@@ -151,7 +169,8 @@ private:
     return (m_cover.vertices()[a].sides & m_cover.vertices()[b].sides) != 0;
   }
 
-  // Closed chains of sides without a neighbour, in the direction that their triangles need.
+  // Chains of sides without a neighbour, in the direction that their triangles need. They are closed,
+  // or can be by a side on a bound that has no triangle.
   std::vector<std::vector<int>> holes() const
   {
     constexpr std::size_t longest = 16;
@@ -164,25 +183,55 @@ private:
           open.emplace_back(b, a);
       }
     std::unordered_map<int, std::vector<int>> next;
+    std::unordered_set<int> ended; // by a side
     for (const auto& [a, b] : open)
+    {
       next[a].push_back(b);
+      ended.insert(b);
+    }
     std::vector<std::vector<int>> result;
     for (const auto& [a, b] : open)
     {
       std::vector<int> hole{a};
-      int v = b;
-      while (v != a && hole.size() < longest && next.count(v) && next[v].size() == 1)
+      int before = a, v = b;
+      while (v != a && hole.size() < longest && next.count(v))
       {
         hole.push_back(v);
-        v = next[v][0];
+        const int after = next_corner(before, v, next[v]);
+        before = v;
+        v = after;
       }
       const bool is_stopped =
         std::any_of(hole.begin(), hole.end(), [&](int corner) { return m_is_stop[corner]; });
-      const bool is_found_first = *std::min_element(hole.begin(), hole.end()) == a;
-      if (v == a && !is_stopped && hole.size() >= 3 && is_found_first)
+      const bool is_closed = v == a && *std::min_element(hole.begin(), hole.end()) == a;
+      if (v != a && hole.size() < longest)
+        hole.push_back(v);
+      const bool lacks_bound = v != a && !ended.count(a) && is_on_bound(v, a) &&
+                               !has_side(v, a) && !has_side(a, v);
+      if ((is_closed || lacks_bound) && !is_stopped && hole.size() >= 3)
         result.push_back(hole);
     }
     return result;
+  }
+
+  // Where holes touch each other: the end of the side that bounds the same hole, which is to the
+  // left of its sides.
+  int next_corner(int before, int v, const std::vector<int>& ends) const
+  {
+    if (ends.size() == 1)
+      return ends[0];
+    const N_space_chart& chart = m_cover.vertices()[v].chart;
+    const auto direction = [&](int u) {
+      const Chart_vector at = place_in(chart, m_cover.vertices()[u].chart.point).at;
+      return std::atan2(at[1], at[0]);
+    };
+    const double full = 2 * std::acos(-1.), incoming = direction(before);
+    const auto opening = [&](int u) {
+      const double angle = std::fmod(incoming - direction(u) + 2 * full, full);
+      return angle > 0 ? angle : full;
+    };
+    return *std::min_element(ends.begin(), ends.end(),
+                             [&](int a, int b) { return opening(a) < opening(b); });
   }
 
   // Cuts off the corner whose triangle has the shortest new side among those that can be.
