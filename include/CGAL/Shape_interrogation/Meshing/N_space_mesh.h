@@ -30,7 +30,7 @@ struct N_space_mesh_options
   //! length that the projections of edges have at most, about. Must be positive.
   double edge_length = 0;
   //! angle in radian by which the tangent plane in n-space turns along an edge at most, about:
-  //! edges become shorter where it turns fast. Less than 1.
+  //! edges become shorter where it turns fast. From 0.001 to 1.
   double max_turning = 0.5;
   //! the mesh ends where a variable leaves one of these; at most 32
   std::vector<N_space_bound> bounds;

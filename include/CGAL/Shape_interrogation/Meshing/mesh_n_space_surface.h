@@ -39,7 +39,7 @@ inline std::string fault_of(const std::vector<N_space_bound>& bounds, const N_sp
   {
     if (b.variable < 0 || b.variable >= system.number_of_variables())
       return "there is no variable with the number " + std::to_string(b.variable);
-    if (b.lower > b.upper)
+    if (b.lower >= b.upper)
       return "the bounds of " + system.variables()[b.variable] + " are empty";
   }
   return "";
@@ -49,8 +49,8 @@ inline std::string fault_of(const N_space_mesh_options& options, const N_space_s
 {
   if (!(options.edge_length > 0) || !std::isfinite(options.edge_length))
     return "the length of the edges must be a positive number";
-  if (!(options.max_turning > 0 && options.max_turning < 1))
-    return "the largest turning must be an angle between 0 and 1 radian";
+  if (!(options.max_turning >= 0.001 && options.max_turning < 1))
+    return "the largest turning must be an angle between 0.001 and 1 radian";
   const std::string fault = fault_of(options.bounds, system);
   return fault.empty() ? fault_of(options.search_box, system) : fault;
 }

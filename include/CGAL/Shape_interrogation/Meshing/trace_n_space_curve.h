@@ -38,7 +38,7 @@ struct N_space_curve_options
 {
   //! length that the projections of steps have at most. Must be positive.
   double step = 0;
-  //! angle in radian by which the tangent in n-space turns in a step at most. Less than 1.
+  //! angle in radian by which the tangent in n-space turns in a step at most, from 0.001 to 1
   double max_turning = 0.2;
   //! the curve ends where a variable leaves one of these; at most 32
   std::vector<N_space_bound> bounds;
@@ -180,8 +180,8 @@ Result<N_space_curve> trace_both_ways(const N_space_system& system,
  *
  * Each step goes along the tangent and back to the curve by Newton's method in the hyperplane
  * across. Steps become shorter where the tangent turns; where the curve and its tangent do not
- * allow even a very short one it ends at a singular point. It also ends where branches cross
- * transversally, which is told by the sign of a determinant; that is not looked for in systems of
+ * allow even a very short one it ends at a singular point. It also ends where two branches
+ * cross, which is told by the sign of a determinant; that is not looked for in systems of
  * more than 96 variables. Nothing is proved: a step can jump to a branch that is nearer than the
  * step is long.
  *
@@ -210,9 +210,14 @@ Result<N_space_curve> trace_n_space_curve(const N_space_system& system,
 {
   if (!(options.step > 0) || !std::isfinite(options.step))
     return Refusal(Refusal_code::LIMIT_EXCEEDED, "the length of steps must be a positive number");
-  if (!(options.max_turning > 0 && options.max_turning < 1))
+  if (!(options.max_turning >= 0.001 && options.max_turning < 1))
     return Refusal(Refusal_code::LIMIT_EXCEEDED,
-                   "the largest turning must be an angle between 0 and 1 radian");
+                   "the largest turning must be an angle between 0.001 and 1 radian");
+  if (section && static_cast<int>(section->coefficients.size()) != system.number_of_variables())
+    return Refusal(Refusal_code::LIMIT_EXCEEDED,
+                   "the section has " + std::to_string(section->coefficients.size()) +
+                     " coefficient(s) for " + std::to_string(system.number_of_variables()) +
+                     " variables");
   const std::string fault = internal::fault_of(options.bounds, system);
   if (!fault.empty())
     return Refusal(Refusal_code::LIMIT_EXCEEDED, fault);

@@ -126,7 +126,7 @@ private:
       previous_step = is_small ? r.step : HUGE_VAL;
       if (!settled && advance(r.point, norm, conditions))
         continue;
-      if (is_small && others_vanish(r))
+      if (is_small && others_vanish(r) && are_met(conditions, size))
         return finish(std::move(r), all_equations);
       if (all_equations)
         break;
@@ -142,6 +142,19 @@ private:
                    "no solution was reached in " + std::to_string(r.iterations) +
                      " step(s): equation " + std::to_string(worst_equation() + 1) +
                      " is still " + internal::text_of(m_values[worst_equation()]));
+  }
+
+  // The shortest step meets contradictory conditions as well as it can.
+  bool are_met(const std::vector<N_space_condition>& conditions, double size) const
+  {
+    for (std::size_t c = 0; c < conditions.size(); ++c)
+    {
+      const std::vector<double>& a = conditions[c].coefficients;
+      const double length = std::sqrt(internal::dot_product(a, a));
+      if (!(std::fabs(m_excess[c]) <= 1e-9 * (length * size + std::fabs(conditions[c].value))))
+        return false;
+    }
+    return true;
   }
 
   // Redundant equations were not used: they must vanish within the roundings as well, which an

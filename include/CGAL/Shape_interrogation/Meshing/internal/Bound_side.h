@@ -15,6 +15,8 @@
 #include <CGAL/Shape_interrogation/Surfaces/N_space_bound.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_condition.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace CGAL {
@@ -36,13 +38,25 @@ struct Bound_side
   }
 };
 
+// Of several bounds to the same side the tightest one counts.
+inline void add_side(std::vector<Bound_side>& sides, const Bound_side& side)
+{
+  for (Bound_side& s : sides)
+    if (s.variable == side.variable && s.sign == side.sign)
+    {
+      s.value = side.sign * (std::max)(side.sign * s.value, side.sign * side.value);
+      return;
+    }
+  sides.push_back(side);
+}
+
 inline std::vector<Bound_side> sides_of(const std::vector<N_space_bound>& bounds)
 {
   std::vector<Bound_side> sides;
   for (const N_space_bound& b : bounds)
   {
-    sides.push_back({b.variable, number_cast<double>(b.lower), 1});
-    sides.push_back({b.variable, number_cast<double>(b.upper), -1});
+    add_side(sides, {b.variable, number_cast<double>(b.lower), 1});
+    add_side(sides, {b.variable, number_cast<double>(b.upper), -1});
   }
   return sides;
 }

@@ -18,6 +18,7 @@
 #include <cmath>
 #include <cstdint>
 #include <set>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -47,6 +48,7 @@ public:
     {
       const auto [corner, next_side] = m_corners.back();
       m_corners.pop_back();
+      m_go_on();
       if (!m_traced.insert({corner, next_side}).second)
         continue;
       const Cover_vertex start = m_cover.vertices()[corner];
@@ -90,9 +92,13 @@ private:
 
   bool has_boundary_near(const N_space_chart& chart, int side, double radius, int except = -1) const
   {
+    // What lies across belongs to another branch, the other side of a strip for example.
+    const Chart_vector g = gradient_of_variable(chart, m_cover.sides()[side].variable);
     bool found = false;
     m_cover.for_each_near(chart, radius, [&](const Near_vertex& v) {
-      found |= v.vertex != except && (m_cover.vertices()[v.vertex].sides & bit(side)) != 0;
+      const double across = std::fabs(v.at[0] * g[0] + v.at[1] * g[1]);
+      found |= v.vertex != except && (m_cover.vertices()[v.vertex].sides & bit(side)) != 0 &&
+               across <= (0.6 * length(v.at) + 1e-6) * length(g);
     });
     return found;
   }
@@ -102,6 +108,7 @@ private:
   {
     Path_limits limits;
     limits.cos_turning = std::cos(m_cover.max_turning());
+    limits.stops_at_branches = true;
     Path_tracer tracer(m_system, {m_cover.sides()[side].condition(start.chart.point.size())},
                        m_cover.sides(), limits);
     const Result<Path_point> p = tracer.start(start.chart.point);
@@ -126,6 +133,14 @@ private:
     thin(curve, keeps_front, is_corner(curve.back()));
     for (const Cover_vertex& v : curve)
       add(v, side);
+    for (const auto& [point, evidence] : m_singular_ends)
+      for (int v = static_cast<int>(m_cover.vertices().size()); v-- > 0;)
+        if (m_cover.vertices()[v].chart.point == point)
+        {
+          m_cover.stop(v, Refusal_code::RANK_DEFICIENT, "on a bound: " + evidence);
+          break;
+        }
+    m_singular_ends.clear();
   }
 
   bool is_corner(const Cover_vertex& v) const { return (v.sides & (v.sides - 1)) != 0; }
@@ -178,6 +193,8 @@ private:
       }
       curve.push_back(w);
     }
+    if (path.end == Path_end::SINGULAR)
+      m_singular_ends.push_back({curve.back().chart.point, path.evidence});
     return path.end == Path_end::CLOSED;
   }
 
@@ -220,6 +237,7 @@ private:
   N_space_cover& m_cover;
   Go_on m_go_on;
   std::vector<std::pair<int, int>> m_corners; // with the side still to be traced
+  std::vector<std::pair<std::vector<double>, std::string>> m_singular_ends;
   std::set<std::pair<int, int>> m_traced;     // of these
 };
 

@@ -37,27 +37,47 @@ public:
 
   bool is_able() const { return m_n <= most_variables; }
 
+  // Whether there are just as many rows as needed: a change of the sign then is no matter of
+  // choice.
+  bool is_square() const
+  {
+    return m_system.number_of_equations() + static_cast<int>(m_fixed.size()) == m_n - 1;
+  }
+
   // Whether the same independent rows have determinants of opposite sign at both points. That
   // happens also where only these rows become dependent: see independence().
   bool may_branch(const std::vector<double>& p, const std::vector<double>& tp,
                   const std::vector<double>& q, const std::vector<double>& tq) const
   {
-    const Eigen::MatrixXd jp = jacobian(p), jq = jacobian(q);
+    const Eigen::VectorXd sizes = row_sizes(p);
+    const Eigen::MatrixXd jp = jacobian(p, sizes), jq = jacobian(q, sizes);
     const Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(jq.transpose());
     return sign(jp, tp, qr.colsPermutation().indices()) * sign(jq, tq,
                                                                qr.colsPermutation().indices()) < 0;
   }
 
-  // The distance of all rows together from lower rank, as a part of their size.
-  double independence(const std::vector<double>& p) const
+  // The units of the rows at a point: those of the equations shall not matter.
+  Eigen::VectorXd row_sizes(const std::vector<double>& p) const
   {
-    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian(p));
+    Eigen::VectorXd sizes =
+      jacobian(p, Eigen::VectorXd::Ones(m_system.number_of_equations() +
+                                        static_cast<int>(m_fixed.size()))).rowwise().norm();
+    for (double& size : sizes)
+      size = size > 0 ? size : 1;
+    return sizes;
+  }
+
+  // The distance of all rows together, in the given units, from lower rank, as a part of their
+  // size.
+  double independence(const std::vector<double>& p, const Eigen::VectorXd& sizes) const
+  {
+    const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian(p, sizes));
     const auto& values = svd.singularValues();
     return values.size() < m_n - 1 || !(values(0) > 0) ? 0 : values(m_n - 2) / values(0);
   }
 
 private:
-  Eigen::MatrixXd jacobian(const std::vector<double>& p) const
+  Eigen::MatrixXd jacobian(const std::vector<double>& p, const Eigen::VectorXd& sizes) const
   {
     const Sparse_pattern& pattern = m_system.tape().gradient_pattern();
     const std::vector<double> gradient = m_system.tape().gradient(p);
@@ -65,10 +85,11 @@ private:
     Eigen::MatrixXd j = Eigen::MatrixXd::Zero(m + static_cast<int>(m_fixed.size()), m_n);
     for (int k = 0; k < m; ++k)
       for (std::size_t e = pattern.row_starts[k]; e < pattern.row_starts[k + 1]; ++e)
-        j(k, pattern.columns[e]) = gradient[e];
+        j(k, pattern.columns[e]) = gradient[e] / sizes(k);
     for (std::size_t c = 0; c < m_fixed.size(); ++c)
       for (int i = 0; i < m_n; ++i)
-        j(m + static_cast<int>(c), i) = m_fixed[c].coefficients[i];
+        j(m + static_cast<int>(c), i) =
+          m_fixed[c].coefficients[i] / sizes(m + static_cast<int>(c));
     return j;
   }
 

@@ -70,7 +70,7 @@ public:
   const std::vector<Bound_side>& sides() const { return m_sides; }
   const std::vector<Cover_stop>& stops() const { return m_stops; }
   double max_turning() const { return m_max_turning; }
-  bool is_full() const { return m_vertices.size() >= m_max_vertices; }
+  bool is_full() const { return m_vertices.size() > m_max_vertices; }
 
   // The chart of the surface point near p; `p` gets the error of the correction.
   Result<Cover_vertex> correct(const std::vector<double>& p,

@@ -183,7 +183,7 @@ private:
     describe_topology(mesh.surface_mesh, mesh.report);
     mesh.report.manifold = built.is_manifold;
     fill_n_space_properties(m_system, m_cover, built.source, mesh);
-    measure_distances(m_cover, triangles, m_options.edge_length, mesh, m_go_on);
+    measure_distances(m_cover, triangles, built.source, m_options.edge_length, mesh, m_go_on);
     mesh.folds = Fold_finder(m_cover)(triangles);
     mesh.rims = rims(triangles);
     for (const Cover_stop& s : m_cover.stops())

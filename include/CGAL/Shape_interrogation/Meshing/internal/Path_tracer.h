@@ -46,7 +46,7 @@ struct Path
 struct Path_limits
 {
   double cos_turning = 0.9;  // of the tangents at the ends of a step
-  double least_size = 1. / 4096; // of a step, as a part of the unit
+  double least_size = 1e-8; // of a step, as a part of the unit
   std::size_t max_points = 100000;
   bool stops_at_branches = false; // also where the curve could be followed straight on
 };
@@ -98,8 +98,14 @@ public:
         path.last_step = h;
         return path;
       }
-      if (end_at_branch(p, *q, h, path) || end_at_bound(p, *q, path) ||
-          end_at_start(start, p, *q, path))
+      if (crosses_branch(p, *q))
+      {
+        if (end_at_branch(p, *q, h, path))
+          return path;
+        if (m_branches.is_square() && (size /= 2) >= m_limits.least_size)
+          continue; // the step has jumped to another branch
+      }
+      if (end_at_bound(p, *q, path) || end_at_start(start, p, *q, path))
         return path;
       const double angle = std::acos((std::min)(cosine, 1.));
       size = (std::min)(1., size * (std::min)(2., 0.7 * std::acos(m_limits.cos_turning) /
@@ -133,15 +139,21 @@ private:
     return q;
   }
 
+  bool crosses_branch(const Path_point& p, const Path_point& q) const
+  {
+    return m_limits.stops_at_branches && m_branches.is_able() &&
+           m_branches.may_branch(p.point, p.tangent, q.point, q.tangent);
+  }
+
   // Comes nearer to a branch that the step from p to q crosses. Very near to it corrections may
   // lead to the other branch: so each round begins where the last one was sure, with shorter steps.
   bool end_at_branch(const Path_point& p, const Path_point& q, double h, Path& path)
   {
-    if (!m_limits.stops_at_branches || !m_branches.is_able() ||
-        !m_branches.may_branch(p.point, p.tangent, q.point, q.tangent))
-      return false;
-    const double usual =
-      (std::max)(m_branches.independence(p.point), m_branches.independence(q.point));
+    const auto sizes = m_branches.row_sizes(p.point);
+    const auto independence_at = [&](const Path_point& r) {
+      return m_branches.independence(r.point, sizes);
+    };
+    const double usual = (std::max)(independence_at(p), independence_at(q));
     Path_point nearest = p;
     double rest = h;
     while (rest > 1e-7 * h)
@@ -161,8 +173,8 @@ private:
         }
       }
       // At a branch all rows become dependent, not only some of them.
-      const double independence = m_branches.independence(best.point);
-      if (independence >= 0.9 * m_branches.independence(nearest.point))
+      const double independence = independence_at(best);
+      if (independence >= 0.9 * independence_at(nearest))
         break;
       nearest = best;
       rest = (std::max)(2 * (high - low), 2 * h * independence / usual);
@@ -171,7 +183,7 @@ private:
                                             beyond->tangent))
         break;
     }
-    const double independence = m_branches.independence(nearest.point);
+    const double independence = independence_at(nearest);
     if (independence > 0.1 * usual)
       return false;
     if (nearest.point != p.point)
@@ -191,7 +203,8 @@ private:
     {
       const Bound_side& side = m_sides[i];
       const double dp = side.distance(p.point), dq = side.distance(q.point);
-      if (is_fixed(side) || dq >= 0 || dq >= dp)
+      // A curve in a bound leaves it by roundings only.
+      if (is_fixed(side) || dq >= -1e-12 * (1 + std::fabs(side.value)) || dq >= dp)
         continue;
       const double part = (std::max)(dp, 0.) / ((std::max)(dp, 0.) - dq);
       if (part >= least)
@@ -202,6 +215,8 @@ private:
       for (std::size_t k = 0; k < guess.size(); ++k)
         guess[k] += part * (q.point[k] - p.point[k]);
       const Result<N_space_point> corrected = m_corrector(guess, conditions);
+      if (corrected && !is_inside_others(corrected->point, side))
+        continue; // another bound is met before
       least = part;
       path.side = static_cast<int>(i);
       last = Path_point{corrected ? corrected->point : guess, q.tangent};
@@ -212,6 +227,14 @@ private:
     path.points.push_back(*last);
     path.end = Path_end::BOUND;
     return true;
+  }
+
+  bool is_inside_others(const std::vector<double>& p, const Bound_side& side) const
+  {
+    return std::all_of(m_sides.begin(), m_sides.end(), [&](const Bound_side& other) {
+      return &other == &side || is_fixed(other) ||
+             other.distance(p) >= -1e-9 * (1 + std::fabs(other.value));
+    });
   }
 
   // The start lies beside the step from p to q.
@@ -228,12 +251,26 @@ private:
       square += d * d;
     }
     if (along < 0 || along > 1.2 * h || square - along * along > 0.1 * h * h ||
-        dot_product(start.tangent, p.tangent) < 0.5)
+        dot_product(start.tangent, p.tangent) < 0.5 || !leads_to(start, p, along))
       return false;
     if (along < 0.5 * h)
       path.points.pop_back();
     path.end = Path_end::CLOSED;
     return true;
+  }
+
+  // Whether the step from p into the hyperplane of the start ends there, not on a branch near.
+  bool leads_to(const Path_point& start, const Path_point& p, double along)
+  {
+    std::vector<N_space_condition> conditions = m_fixed;
+    conditions.push_back({start.tangent, dot_product(start.tangent, start.point)});
+    std::vector<double> predicted = p.point;
+    add_multiple(predicted, along, p.tangent);
+    const Result<N_space_point> corrected = m_corrector(predicted, conditions);
+    double size = 0;
+    for (double x : start.point)
+      size = (std::max)(size, std::fabs(x));
+    return corrected && distance(corrected->point, start.point) <= 1e-6 * along + 1e-12 * size;
   }
 
   bool is_fixed(const Bound_side& side) const

@@ -77,7 +77,8 @@ inline void fill_n_space_properties(const N_space_system& system, const N_space_
 // The distances that are seen from the middles of edges and triangles, and the largest turning.
 template <class Go_on>
 void measure_distances(N_space_cover& cover, const std::vector<Soup_triangle>& triangles,
-                       double edge_length, N_space_mesh& mesh, Go_on go_on)
+                       const std::vector<std::size_t>& source, double edge_length,
+                       N_space_mesh& mesh, Go_on go_on)
 {
   const auto sample = [&](const std::vector<std::size_t>& corners) {
     std::vector<double> middle(cover.vertices()[corners[0]].chart.point.size(), 0.);
@@ -98,16 +99,15 @@ void measure_distances(N_space_cover& cover, const std::vector<Soup_triangle>& t
   {
     go_on();
     sample({t[0], t[1], t[2]});
-    for (int i = 0; i < 3; ++i)
-    {
-      const std::size_t a = t[i], b = t[(i + 1) % 3];
-      if (a > b)
-        continue; // most edges have a triangle on the other side
-      sample({a, b});
-      const double cosine =
-        angle_between(cover.vertices()[a].chart, cover.vertices()[b].chart).cosine;
-      mesh.max_turning = (std::max)(mesh.max_turning, std::acos(cosine));
-    }
+  }
+  for (const auto e : mesh.surface_mesh.edges())
+  {
+    const std::size_t a = source[mesh.surface_mesh.vertex(e, 0).idx()],
+                      b = source[mesh.surface_mesh.vertex(e, 1).idx()];
+    sample({a, b});
+    const double cosine =
+      angle_between(cover.vertices()[a].chart, cover.vertices()[b].chart).cosine;
+    mesh.max_turning = (std::max)(mesh.max_turning, std::acos(cosine));
   }
   for (const Cover_vertex& v : cover.vertices())
     mesh.report.max_vertex_distance = (std::max)(mesh.report.max_vertex_distance, v.error);
