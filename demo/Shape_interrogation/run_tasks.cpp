@@ -41,6 +41,8 @@ void dispatch(const Model& model, const Task& task, std::optional<Number_type> p
     run_shape_operator(*shape_operator, preferred, result);
   else if (const auto* mesh = std::get_if<Mesh_task>(&task.data))
     run_mesh(model, *mesh, directory, progress, result);
+  else if (const auto* line = std::get_if<Line_task>(&task.data))
+    run_line(model, *line, directory, progress, result);
   else
     set_status(result, "error", "unsupported", std::get<Unsupported_task>(task.data).what);
 }
