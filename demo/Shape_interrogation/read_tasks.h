@@ -32,7 +32,7 @@ void allow_task_fields(const Json_place& place, std::vector<std::string> fields)
 // The sentence about a kind that this version does not offer.
 Unsupported_task no_kind(const std::string& kind);
 
-// --- Of meshes and lines, in read_meshes.cpp ------------------------------------------------------
+// --- Of meshes and lines, in read_meshes.cpp -----------------------------------------------------
 
 // The field "surface", or those of the field "surfaces".
 std::vector<Json_place> read_surface_names(const Json_place& place);
@@ -43,7 +43,7 @@ std::array<Range, 3> read_box(const Json_place& place);
 std::vector<double> read_start(const Json_place& place, const std::string& field,
                                const std::vector<std::string>& names);
 
-// --- Names ----------------------------------------------------------------------------------------
+// --- Names ---------------------------------------------------------------------------------------
 
 template <class Shape>
 std::vector<std::string> names_of(const std::map<std::string, Shape>& shapes)

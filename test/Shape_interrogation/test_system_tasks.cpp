@@ -504,8 +504,8 @@ TEST_F(System_tasks, equal_calls_give_equal_files)
 
 TEST_F(System_tasks, polylines)
 {
-  const std::vector<si::N_space_polyline> lines{{{{0, 0, 0, 7}, {1, 0, 0, 8}, {0, 1, 0, 0.1}}, true},
-                                                {{{0, 0, 1, 1}, {0, 0, 2, 2}}, false}};
+  const std::vector<si::N_space_polyline> lines{
+    {{{0, 0, 0, 7}, {1, 0, 0, 8}, {0, 1, 0, 0.1}}, true}, {{{0, 0, 1, 1}, {0, 0, 2, 2}}, false}};
   const std::string file = (m_directory / "l").string();
   std::string reason;
   EXPECT_TRUE(si::write_polylines(file + ".obj", lines, {}, reason)) << reason;

@@ -152,9 +152,9 @@ inline void write_lines_ply(std::ostream& out, const std::vector<N_space_polylin
  * \brief writes curves in n-space to a file, as polylines in space.
  *
  * \details The extension of the name tells the format: `.vtp` (lines) and `.ply` (edges) keep the
- * variables from the fourth on as properties of the points, `.obj` (lines) has the points alone. A
- * name that PLY has given already gets underscores in front. Doubles read back to the same bits. The
- * file is written whole or not at all: a file that was there stays as it was when writing fails.
+ * variables from the fourth on as properties of the points, `.obj` (lines) has the points alone. In
+ * PLY, a name that is taken gets underscores in front. Doubles read back to the same bits. The file
+ * is written whole or not at all: a file that was there stays as it was when writing fails.
  *
  * \param file the name of the file
  * \param lines the polylines, for example `N_space_mesh::folds` or an `N_space_curve`
