@@ -14,6 +14,7 @@
 #include "read_numbers.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 namespace interrogate {
@@ -63,7 +64,7 @@ void read_starts(const Json_place& place, const std::vector<const Surface_model*
       read_start(place, "point", joint_variables(*surfaces[0], *surfaces[1])));
 }
 
-// The plane a x + b y + c z + d = 0.
+// The plane a x + b y + c z + d = 0, with a normal of length 1.
 std::vector<double> read_plane(const Json_place& place)
 {
   std::vector<double> plane;
@@ -71,6 +72,15 @@ std::vector<double> read_plane(const Json_place& place)
     plane.push_back(read_double(number));
   if (plane[0] == 0 && plane[1] == 0 && plane[2] == 0)
     place.fail("a plane [a,b,c,d] needs a normal [a,b,c] that is not zero");
+  const double largest = (std::max)({std::fabs(plane[0]), std::fabs(plane[1]),
+                                     std::fabs(plane[2])});
+  for (double& x : plane)
+    x /= largest;
+  const double length = std::hypot(plane[0], plane[1], plane[2]);
+  for (double& x : plane)
+    x /= length;
+  if (!std::isfinite(plane[3]))
+    place.fail("the plane is too far away for floating point");
   return plane;
 }
 

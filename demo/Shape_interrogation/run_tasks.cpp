@@ -73,6 +73,14 @@ Task_result run_task(const Model& model, const Task& task, std::optional<Number_
   {
     set_status(result, "refused", "not_algebraic", e.what());
   }
+  catch (const si::Division_by_zero_error& e)
+  {
+    set_status(result, "refused", "pole", e.what());
+  }
+  catch (const si::Domain_error& e)
+  {
+    set_status(result, "refused", "outside_domain", e.what());
+  }
   catch (const si::Limit_error& e)
   {
     set_status(result, "refused", "limit_exceeded", e.what());

@@ -56,6 +56,7 @@ const char* const surfaces = R"json({
     "bounds": { "x": [0, 1], "y": [0, 1], "z": [-1, 1] } },
   "empty": { "kind": "system", "variables": ["x", "y", "z"], "equations": ["x^2+y^2+z^2+1"] },
   "root": { "kind": "bezier", "control_points": [[[0,0,0], [0,1,1]], [[1,0,1], [1,1,"sqrt(2)"]]] },
+  "pole": { "kind": "parametric", "x": ["u", "1/v", "u*v"] },
   "later": { "kind": "offset", "of": "sphere", "distance": 1 } })json";
 
 std::string model_with(const std::string& task)
@@ -391,6 +392,14 @@ TEST_F(System_tasks, sections)
     "section", R"(":"plane")",
     R"("plane":[1,0,0,0],"start":{"point":[0,0,0]},"step":"1/10","box":[[-1,1],[-1,2],[-1,1]])"));
   EXPECT_NEAR(length_of(cut), 3, 1e-12);
+  // The length of the normal makes no difference.
+  for (const char* c : {"1e-300", "1e300"})
+  {
+    const Report_json scaled = answer(line_of(
+      "section", R"(":"sphere")",
+      std::string(R"("plane":[0,0,")") + c + R"(",0],"start":{"point":[2,0,0]},"step":"1/10")"));
+    EXPECT_EQ(scaled["closed"], true);
+  }
   const Report_json limited = answer(line_of(
     "section", R"(":"plane")",
     R"("plane":[1,0,0,0],"start":{"point":[0,0,0]},"step":"1/10","max_points":10)"));
@@ -409,6 +418,9 @@ TEST_F(System_tasks, lines_that_are_refused)
   expect_refused(line_of("section", R"(":"root")", R"("plane":[1,0,0,0],)"
                                                    R"("start":{"parameters":[0,0]},"step":1)"),
                  "refused", "not_algebraic", "");
+  expect_refused(line_of("section", R"(":"pole")", R"("plane":[1,0,0,0],)"
+                                                   R"("start":{"parameters":[1,0]},"step":1)"),
+                 "refused", "pole", "zero at this point");
   expect_refused(line_of("intersection", R"(":"three")",
                          std::string(three_start) + R"(,"number_type":"exact")"),
                  "error", "unsupported", "in \"double\"");
@@ -454,6 +466,9 @@ TEST_F(System_tasks, messages_name_the_place)
     {line_of("section", sphere, R"("start":{"point":[2,0,0]},"step":1)"), "plane"},
     {line_of("section", sphere, R"("start":{"point":[2,0,0]},"step":1,"plane":[0,0,0,1])"),
      "tasks[0].plane: a plane [a,b,c,d] needs a normal"},
+    {line_of("section", sphere,
+             R"("start":{"point":[2,0,0]},"step":1,"plane":["1e-200",0,0,"1e200"])"),
+     "tasks[0].plane: the plane is too far away"},
     {line_of("section", sphere, R"("start":{"point":[2,0,0]},"step":1,"fixed":{"w":1})"),
      "tasks[0].fixed.w: there is no variable of this name, the variables are: x, y, z"},
     {line_of("section", sphere, R"("start":{"point":[2,0,0]},"step":1,"fixed":{"x":1,"y":0})"),
