@@ -4,7 +4,8 @@
 """Draws a mesh with a curvature property as a PNG picture. Needs nothing but Python.
 
   render_mesh.py MESH.ply PICTURE.png [--property NAME] [--bound X] [--size WIDTHxHEIGHT]
-                 [--view AZIMUTH,ELEVATION]
+                 [--view AZIMUTH,ELEVATION] [--add FILE.ply:COLOUR[:glass]]...
+                 [--point X,Y,Z:COLOUR]...
 
 MESH.ply is a file that write_ply() or the program interrogate has written, in either encoding, with
 normals (nx, ny, nz). The property (default gaussian_curvature) is shown from blue (-X and less)
@@ -12,6 +13,10 @@ through white (0) to red (X and more); without --bound, X is the magnitude that 
 vertices stay below. The azimuth and the elevation of the viewer are in degrees; z points upward. A
 vertex on an edge between patches has the value of one of them: in triangles of the other it is left
 out.
+
+Other files are added in one colour, rrggbb: meshes, which one can see through as glass, and lines that
+write_polylines() or the program has written. Points are drawn as dots. Lines and dots are in front
+of surfaces that they lie on.
 """
 import argparse
 import math
@@ -22,6 +27,7 @@ import zlib
 
 TYPES = {"char": "b", "uchar": "B", "short": "h", "ushort": "H", "int": "i", "uint": "I",
          "float": "f", "double": "d"}
+LINE, DOT = 1.2, 4.5  # radii in pixels
 SAMPLES = 2  # a pixel is the mean of SAMPLES x SAMPLES
 
 
@@ -56,7 +62,7 @@ def number_reader(stream, encoding):
 
 
 def read_ply(path):
-    """Returns the columns of the vertices and of the faces by name; corners are a column, too."""
+    """Returns the columns of vertices, faces and edges by name; corners are a column, too."""
     with open(path, "rb") as stream:
         if stream.readline().strip() != b"ply":
             raise ValueError("this is no PLY file")
@@ -71,7 +77,7 @@ def read_ply(path):
                     else:
                         value = read(kind[0])
                     columns.setdefault(element, {}).setdefault(name, []).append(value)
-    return columns["vertex"], columns["face"]
+    return columns["vertex"], columns["face"], columns.get("edge", {})
 
 
 def frame(azimuth, elevation):
@@ -113,8 +119,23 @@ class Canvas:
         self.color = [(255.0, 255.0, 255.0)] * (width * height)
         self.depth = [-math.inf] * (width * height)
 
-    def draw(self, triangle):
-        """Draws three corners (x, y, depth, red, green, blue)."""
+    def dot(self, x, y, depth, color, radius):
+        """Draws a disc that faces the viewer."""
+        for j in range(max(0, math.ceil(y - radius)), min(self.height - 1, int(y + radius)) + 1):
+            for i in range(max(0, math.ceil(x - radius)), min(self.width - 1, int(x + radius)) + 1):
+                place = j * self.width + i
+                if (i - x) ** 2 + (j - y) ** 2 <= radius ** 2 and depth > self.depth[place]:
+                    self.depth[place], self.color[place] = depth, color
+
+    def line(self, start, end, color, radius):
+        """Draws dots (x, y, depth) close to each other."""
+        steps = math.ceil(math.hypot(end[0] - start[0], end[1] - start[1]) / radius) or 1
+        for k in range(steps + 1):
+            t = k / steps
+            self.dot(*(a + t * (b - a) for a, b in zip(start, end)), color, radius)
+
+    def draw(self, triangle, glass=False):
+        """Draws three corners (x, y, depth, red, green, blue); of glass every other sample."""
         (ax, ay), (bx, by), (cx, cy) = (corner[:2] for corner in triangle)
         area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay)
         if area == 0:
@@ -126,7 +147,7 @@ class Canvas:
                 b = ((x - ax) * (cy - ay) - (cx - ax) * (y - ay)) / area
                 c = ((bx - ax) * (y - ay) - (x - ax) * (by - ay)) / area
                 a = 1 - b - c
-                if a < 0 or b < 0 or c < 0:
+                if a < 0 or b < 0 or c < 0 or (glass and (x + y) % 2):
                     continue
                 depth, *color = (a * p + b * q + c * r for p, q, r in
                                  zip(triangle[0][2:], triangle[1][2:], triangle[2][2:]))
@@ -186,30 +207,81 @@ def values_in(face, patch, values, patches):
     return [values[v] if patches[v] == patch else sum(own) / len(own) for v in face]
 
 
-def render(columns, faces, options):
-    """Returns the canvas with the mesh."""
-    width, height = (SAMPLES * int(n) for n in options.size.lower().split("x"))
-    right, up, viewer = frame(*(float(x) for x in options.view.split(",")))
-    points = list(zip(columns["x"], columns["y"], columns["z"]))
+class View:
+    """Where points of space are in the picture, fitted to all of them."""
+
+    def __init__(self, points, options):
+        self.width, self.height = (SAMPLES * int(n) for n in options.size.lower().split("x"))
+        self.right, self.up, self.viewer = frame(*(float(x) for x in options.view.split(",")))
+        xs, ys = [dot(p, self.right) for p in points], [dot(p, self.up) for p in points]
+        self.extent = max(max(xs) - min(xs), max(ys) - min(ys))
+        self.scale = 0.94 * min(self.width / (max(xs) - min(xs)), self.height / (max(ys) - min(ys)))
+        self.middle = (max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2
+        light = [-0.45 * r + 0.6 * u + 0.66 * v
+                 for r, u, v in zip(self.right, self.up, self.viewer)]
+        self.light = tuple(x / math.sqrt(dot(light, light)) for x in light)
+
+    def place(self, p, lift=0.0):
+        """Returns the sample and the depth; lifted ones are nearer, by a part of the extent."""
+        return (self.width / 2 + self.scale * (dot(p, self.right) - self.middle[0]),
+                self.height / 2 - self.scale * (dot(p, self.up) - self.middle[1]),
+                dot(p, self.viewer) + lift * self.extent)
+
+
+def points_of(columns):
+    return list(zip(columns["x"], columns["y"], columns["z"]))
+
+
+def draw_mesh(canvas, view, columns, faces, color_at, glass=False):
+    """Draws triangles with the colour that color_at(face, patch) has for each corner."""
+    places = [view.place(p) for p in points_of(columns)]
     normals = list(zip(columns["nx"], columns["ny"], columns["nz"]))
+    lists = faces["vertex_indices"]
+    for face, patch in zip(lists, faces.get("patch", [0] * len(lists))):
+        corners = [(*places[v], *shade(color, normals[v], view.viewer, view.light))
+                   for v, color in zip(face, color_at(face, patch))]
+        for i in range(1, len(face) - 1):
+            canvas.draw([corners[0], corners[i], corners[i + 1]], glass)
+
+
+def parsed_color(text):
+    if len(text) != 6:
+        raise ValueError(f"a colour has six digits rrggbb, and not {text}")
+    return tuple(int(text[k:k + 2], 16) for k in (0, 2, 4))
+
+
+def parsed_scene(options):
+    """Returns the added parts [columns, faces, edges, colour, glass] and the dots."""
+    parts, dots = [], []
+    for text in options.add:
+        name, color, *kind = text.split(":")
+        parts.append([*read_ply(name), parsed_color(color), kind == ["glass"]])
+    for text in options.point:
+        point, color = text.split(":")
+        dots.append((tuple(float(x) for x in point.split(",")), parsed_color(color)))
+    return parts, dots
+
+
+def render(columns, faces, options):
+    """Returns the canvas with the mesh and what is added."""
+    parts, dots = parsed_scene(options)
+    points = points_of(columns) + [p for part in parts for p in points_of(part[0])]
+    view = View(points + [p for p, _ in dots], options)
     values = columns[options.property]
     bound = options.bound or sorted(abs(v) for v in values)[9 * len(values) // 10] or 1.0
-    light = tuple(-0.45 * r + 0.6 * u + 0.66 * v for r, u, v in zip(right, up, viewer))
-    light = tuple(x / math.sqrt(dot(light, light)) for x in light)
-
-    xs, ys = [dot(p, right) for p in points], [dot(p, up) for p in points]
-    scale = 0.94 * min(width / (max(xs) - min(xs)), height / (max(ys) - min(ys)))
-    middle_x, middle_y = (max(xs) + min(xs)) / 2, (max(ys) + min(ys)) / 2
-    places = [(width / 2 + scale * (x - middle_x), height / 2 - scale * (y - middle_y),
-               dot(p, viewer)) for x, y, p in zip(xs, ys, points)]
-    lists = faces["vertex_indices"]
-    patches = columns.get("patch", [0] * len(points))
-    canvas = Canvas(width, height)
-    for face, patch in zip(lists, faces.get("patch", [0] * len(lists))):
-        corners = [(*places[v], *shade(color_of(value / bound), normals[v], viewer, light))
-                   for v, value in zip(face, values_in(face, patch, values, patches))]
-        for i in range(1, len(face) - 1):
-            canvas.draw([corners[0], corners[i], corners[i + 1]])
+    patches = columns.get("patch", [0] * len(values))
+    canvas = Canvas(view.width, view.height)
+    draw_mesh(canvas, view, columns, faces, lambda face, patch: [
+        color_of(x / bound) for x in values_in(face, patch, values, patches)])
+    for added, triangles, edges, color, glass in parts:
+        if triangles:
+            draw_mesh(canvas, view, added, triangles,
+                      lambda face, _, color=color: [color] * len(face), glass)
+        places = [view.place(p, 0.01) for p in points_of(added)]
+        for a, b in zip(edges.get("vertex1", []), edges.get("vertex2", [])):
+            canvas.line(places[a], places[b], color, SAMPLES * LINE)
+    for point, color in dots:
+        canvas.dot(*view.place(point, 0.02), color, SAMPLES * DOT)
     return canvas
 
 
@@ -221,9 +293,11 @@ def main():
     parser.add_argument("--bound", type=float)
     parser.add_argument("--size", default="760x430")
     parser.add_argument("--view", default="-75,18")
+    parser.add_argument("--add", action="append", default=[])
+    parser.add_argument("--point", action="append", default=[])
     options = parser.parse_args()
     try:
-        columns, faces = read_ply(options.mesh)
+        columns, faces, _ = read_ply(options.mesh)
         missing = {"x", "y", "z", "nx", "ny", "nz", options.property} - columns.keys()
         if missing:
             raise ValueError("the vertices have no property " + ", ".join(sorted(missing)))

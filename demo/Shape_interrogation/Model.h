@@ -138,6 +138,21 @@ struct Mesh_task
   std::optional<std::array<Range, 3>> box;
   std::optional<std::size_t> max_vertices;
   std::string colour; // the property that is shown, or empty
+  std::vector<std::vector<double>> starts; // of a system, in n-space
+  std::string folds_file;                  // of a system, or empty
+};
+
+// The intersection of two surfaces, the solutions of one system, or a section.
+struct Line_task
+{
+  std::vector<std::string> surfaces;
+  std::vector<std::vector<double>> starts; // one a surface, or one in the space of both
+  std::vector<double> condition;           // of a section: condition . point = value
+  double value = 0;
+  Number step;
+  std::optional<std::array<Range, 3>> box;
+  std::optional<std::size_t> max_points;
+  std::string file; // or empty
 };
 
 // What the format knows and this version does not offer: the sentence that says so.
@@ -151,7 +166,8 @@ struct Task
   std::string id;
   std::string kind;
   std::optional<Number_type> number_type;
-  std::variant<Curvature_task, Shape_operator_task, Mesh_task, Unsupported_task> data;
+  std::variant<Curvature_task, Shape_operator_task, Mesh_task, Line_task, Unsupported_task>
+    data;
 };
 
 struct Model

@@ -14,7 +14,7 @@
 
 #include "Model.h"
 
-#include <CGAL/Shape_interrogation/Meshing/Shape_mesh.h>
+#include <CGAL/Shape_interrogation/Meshing/N_space_mesh.h>
 
 #include <cstddef>
 #include <functional>
@@ -32,6 +32,10 @@ si::Result<si::Shape_mesh> mesh_patches(const Model& model, const Mesh_task& tas
 
 // The part of an implicit surface in the box of the task.
 si::Result<si::Shape_mesh> mesh_implicit(const Model& model, const Mesh_task& task,
+                                         const Show_progress& progress);
+
+// The projection of a system, with its auxiliary variables as properties of the vertices.
+si::Result<si::N_space_mesh> mesh_system(const Model& model, const Mesh_task& task,
                                          const Show_progress& progress);
 
 } // namespace interrogate

@@ -13,6 +13,7 @@
 #include "Model_error.h"
 #include "read_shapes.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -48,6 +49,17 @@ std::string read_file(const std::string& file)
   return text;
 }
 
+std::vector<std::string> files_of(const Task& task)
+{
+  std::vector<std::string> files;
+  if (const Mesh_task* mesh = std::get_if<Mesh_task>(&task.data))
+    files = {mesh->file, mesh->folds_file};
+  if (const Line_task* line = std::get_if<Line_task>(&task.data))
+    files = {line->file};
+  files.erase(std::remove(files.begin(), files.end(), std::string()), files.end());
+  return files;
+}
+
 void check_files(const std::vector<Task>& tasks, const Json_place& place)
 {
   std::set<std::string> ids, files;
@@ -55,9 +67,9 @@ void check_files(const std::vector<Task>& tasks, const Json_place& place)
   {
     if (!ids.insert(task.id).second)
       place.fail("two tasks have the id \"" + printable(task.id) + "\"");
-    const Mesh_task* mesh = std::get_if<Mesh_task>(&task.data);
-    if (mesh && !files.insert(std::filesystem::path(mesh->file).lexically_normal()).second)
-      place.fail("two tasks write the file " + printable(mesh->file));
+    for (const std::string& file : files_of(task))
+      if (!files.insert(std::filesystem::path(file).lexically_normal()).second)
+        place.fail("two tasks write the file " + printable(file));
   }
 }
 

@@ -91,6 +91,15 @@ Number read_length(const Json_place& place)
   return number;
 }
 
+double read_double(const Json_place& place)
+{
+  const Number number = read_number(place);
+  const double x = parse_at(place, "a number", [&] { return evaluate<double>(number); });
+  if (!std::isfinite(x))
+    place.fail("this number is used in floating point, where it is not finite");
+  return x;
+}
+
 Rational read_rational(const Json_place& place)
 {
   const Number number = read_number(place);

@@ -31,6 +31,9 @@ Number read_nonzero(const Json_place& place);
 // A positive number that is one in floating point, too.
 Number read_length(const Json_place& place);
 
+// The nearest double of a number that is used in floating point.
+double read_double(const Json_place& place);
+
 // A number without roots.
 Rational read_rational(const Json_place& place);
 

@@ -8,52 +8,25 @@
 
 // Reads a task and checks it against the surface or curve that it asks about.
 
+#include "read_tasks.h"
+
 #include "Model_error.h"
 #include "read_model.h"
 #include "read_numbers.h"
 
 #include <algorithm>
-#include <filesystem>
 
 namespace interrogate {
 
 namespace {
 
-const std::vector<std::string> task_kinds = {"curvature", "shape_operator", "mesh"};
+const std::vector<std::string> task_kinds = {"curvature", "shape_operator", "mesh",
+                                             "line"};
 const std::vector<std::string> later_task_kinds = {
   "normalform", "foot_point", "intersection_curvature", "contact", "continuity", "audit",
-  "property", "bound", "contour", "trichotomy", "line", "umbilics"};
+  "property", "bound", "contour", "trichotomy", "umbilics"};
 
 const std::vector<std::string> number_types = {"exact", "interval", "double", "filtered"};
-
-void allow_only(const Json_place& place, std::vector<std::string> fields)
-{
-  fields.insert(fields.begin(), {"task", "id", "number_type"});
-  place.allow_only(fields);
-}
-
-template <class Shape>
-std::vector<std::string> names_of(const std::map<std::string, Shape>& shapes)
-{
-  std::vector<std::string> names;
-  for (const auto& entry : shapes)
-    names.push_back(entry.first);
-  return names;
-}
-
-// The name of a surface or curve that the model has.
-template <class Shape>
-const Shape& read_name(const Json_place& place, const std::map<std::string, Shape>& shapes,
-                       const char* what)
-{
-  const auto at = shapes.find(place.string(std::string("the name of a ") + what));
-  if (at == shapes.end())
-    place.expected(shapes.empty()
-                     ? std::string("the name of a ") + what + ", but the model has none"
-                     : std::string("the name of a ") + what + " of the model (" +
-                         listed(names_of(shapes)) + ")");
-  return at->second;
-}
 
 // What a locator must hold: the field, the number of coordinates, and the names of the variables
 // where there are more than those of space.
@@ -120,16 +93,9 @@ std::vector<Number> read_direction(const Json_place& place, std::size_t n)
   return read_numbers(place, size, what);
 }
 
-Unsupported_task no_kind(const std::string& kind)
-{
-  return Unsupported_task{"the kind \"" + kind + "\" is not available in this version"};
-}
-
-using Task_data = decltype(Task::data);
-
 Task_data read_surface_curvature(const Json_place& place, const Model& model)
 {
-  allow_only(place, {"surface", "at", "direction"});
+  allow_task_fields(place, {"surface", "at", "direction"});
   const Json_place name = place.field("surface");
   const Surface_model& surface = read_name(name, model.surfaces, "surface");
   if (const Unsupported* unsupported = std::get_if<Unsupported>(&surface.data))
@@ -150,7 +116,7 @@ Task_data read_surface_curvature(const Json_place& place, const Model& model)
 
 Task_data read_curve_curvature(const Json_place& place, const Model& model)
 {
-  allow_only(place, {"curve", "at"});
+  allow_task_fields(place, {"curve", "at"});
   const Json_place name = place.field("curve");
   const Curve_model& curve = read_name(name, model.curves, "curve");
   if (const Unsupported* unsupported = std::get_if<Unsupported>(&curve))
@@ -170,7 +136,7 @@ Task_data read_curve_curvature(const Json_place& place, const Model& model)
 
 Task_data read_shape_operator(const Json_place& place)
 {
-  allow_only(place, {"normal", "directions", "curvatures"});
+  allow_task_fields(place, {"normal", "directions", "curvatures"});
   Shape_operator_task task;
   task.normal = read_point<3>(place.field("normal"), "a vector of 3 numbers");
   const std::vector<Json_place> directions =
@@ -178,121 +144,6 @@ Task_data read_shape_operator(const Json_place& place)
   for (int i = 0; i < 3; ++i)
     task.directions[i] = read_point<3>(directions[i], "a vector of 3 numbers");
   task.curvatures = read_point<3>(place.field("curvatures"), "three normal curvatures");
-  return task;
-}
-
-// A file in the directory of the report, of a kind that can be written.
-std::string read_file_name(const Json_place& place)
-{
-  const std::string& name = place.string("the name of a file (.ply, .off, .vtp or .obj)");
-  const std::filesystem::path path(name);
-  const std::vector<std::string> known = {".ply", ".off", ".vtp", ".obj"};
-  if (std::find(known.begin(), known.end(), path.extension().string()) == known.end())
-    place.expected("the name of a file that ends in .ply, .off, .vtp or .obj");
-  const bool leaves = std::find(path.begin(), path.end(), "..") != path.end();
-  if (path.is_absolute() || leaves || name.find('\0') != std::string::npos)
-    place.expected("a file name relative to the directory of the report, without \"..\"");
-  return name;
-}
-
-// The field "surface", or those of the field "surfaces".
-std::vector<Json_place> mesh_surface_names(const Json_place& place)
-{
-  const std::optional<Json_place> list = place.find("surfaces");
-  if (!list)
-    return {place.field("surface")};
-  if (place.find("surface"))
-    place.fail("there are both \"surface\" and \"surfaces\": give one of them");
-  const std::vector<Json_place> names = list->elements("an array of names of surfaces");
-  if (names.empty())
-    list->expected("the name of one surface or more");
-  return names;
-}
-
-// Why this version does not mesh the surface, or nothing if it does.
-std::optional<Unsupported_task> refuse_mesh(const Surface_model& surface, bool is_alone,
-                                            bool has_box)
-{
-  if (const Unsupported* unsupported = std::get_if<Unsupported>(&surface.data))
-    return no_kind(unsupported->kind);
-  if (std::holds_alternative<System_model>(surface.data))
-    return Unsupported_task{"the meshing of systems is not available in this version"};
-  if (std::holds_alternative<Parametric_model>(surface.data))
-    return Unsupported_task{"the meshing of the kind \"parametric\" is not available in this"
-                            " version: give the surface as \"bezier\", \"nurbs\" or \"implicit\""};
-  const bool is_implicit = std::holds_alternative<Implicit_model>(surface.data);
-  if (is_implicit && !has_box)
-    return Unsupported_task{"the meshing of an implicit surface without \"box\" is not available in"
-                            " this version"};
-  if (!is_implicit && has_box)
-    return Unsupported_task{"\"box\" for the meshing of patches is not available in this version"};
-  if (!is_alone && is_implicit)
-    return Unsupported_task{"an implicit surface is meshed alone: \"surfaces\" are patches"};
-  return std::nullopt;
-}
-
-// The vertex property that colours are given for.
-std::string read_colour(const Json_place& place, const std::string& file)
-{
-  const std::vector<std::string> known = {"gaussian_curvature", "mean_curvature", "kmin", "kmax"};
-  const std::string& name = place.string("the name of a curvature (" + listed(known) + ")");
-  if (std::find(known.begin(), known.end(), name) == known.end())
-    place.expected("the name of a curvature (" + listed(known) + ")");
-  const std::string extension = std::filesystem::path(file).extension().string();
-  if (extension != ".ply" && extension != ".vtp")
-    place.fail("a file " + extension + " has no colours: give a name that ends in .ply or .vtp");
-  return name;
-}
-
-// Each mesher has one way to calculate, which a task may name.
-std::optional<Unsupported_task> refuse_number_type(const Json_place& place, bool is_implicit)
-{
-  const std::string own = is_implicit ? "double" : "filtered";
-  const std::optional<Json_place> type = place.find("number_type");
-  if (!type || type->string("") == own)
-    return std::nullopt;
-  return Unsupported_task{std::string("the mesh of ") +
-                          (is_implicit ? "an implicit surface" : "patches") +
-                          " in the number type \"" + type->string("") +
-                          "\" is not available in this version: it is made in \"" + own + "\""};
-}
-
-std::array<Range, 3> read_box(const Json_place& place)
-{
-  const std::vector<Json_place> ranges = place.elements(3, "[[x0,x1],[y0,y1],[z0,z1]]");
-  return {read_range(ranges[0]), read_range(ranges[1]), read_range(ranges[2])};
-}
-
-Task_data read_mesh(const Json_place& place, const Model& model)
-{
-  allow_only(place, {"surface", "surfaces", "curve", "file", "edge_length", "tolerance", "box",
-                     "start", "max_vertices", "colour"});
-  if (place.find("curve"))
-    return Unsupported_task{"the meshing of curves is not available in this version"};
-  if (place.find("start"))
-    return Unsupported_task{"\"start\" in a mesh is not available in this version"};
-  Mesh_task task;
-  task.file = read_file_name(place.field("file"));
-  task.edge_length = read_length(place.field("edge_length"));
-  if (const std::optional<Json_place> tolerance = place.find("tolerance"))
-    task.tolerance = read_length(*tolerance);
-  if (const std::optional<Json_place> box = place.find("box"))
-    task.box = read_box(*box);
-  if (const std::optional<Json_place> most = place.find("max_vertices"))
-    task.max_vertices = read_integer(*most, 3, 100000000);
-  if (const std::optional<Json_place> colour = place.find("colour"))
-    task.colour = read_colour(*colour, task.file);
-  const std::vector<Json_place> names = mesh_surface_names(place);
-  for (const Json_place& name : names)
-  {
-    const Surface_model& surface = read_name(name, model.surfaces, "surface");
-    if (const auto refused = refuse_mesh(surface, names.size() == 1, task.box.has_value()))
-      return *refused;
-    const bool is_implicit = std::holds_alternative<Implicit_model>(surface.data);
-    if (const auto refused = refuse_number_type(place, is_implicit))
-      return *refused;
-    task.surfaces.push_back(name.string(""));
-  }
   return task;
 }
 
@@ -307,11 +158,24 @@ Task_data read_data(const Json_place& place, const std::string& kind, const Mode
     return read_shape_operator(place);
   if (kind == "mesh")
     return read_mesh(place, model);
+  if (kind == "line")
+    return read_line(place, model);
   place.field("task").expected("the kind of a task (" + listed(task_kinds) +
                                "; not in this version: " + listed(later_task_kinds) + ")");
 }
 
 } // namespace
+
+void allow_task_fields(const Json_place& place, std::vector<std::string> fields)
+{
+  fields.insert(fields.begin(), {"task", "id", "number_type"});
+  place.allow_only(fields);
+}
+
+Unsupported_task no_kind(const std::string& kind)
+{
+  return Unsupported_task{"the kind \"" + kind + "\" is not available in this version"};
+}
 
 Task read_task(const Json_place& place, const Model& model)
 {

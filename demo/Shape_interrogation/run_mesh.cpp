@@ -8,12 +8,15 @@
 
 // The task mesh: meshes, writes the file, and reports what the mesher says.
 
+#include "evaluate_numbers.h"
 #include "mesh_surfaces.h"
 #include "run_tasks.h"
 
 #include <CGAL/Shape_interrogation/IO/write_mesh.h>
+#include <CGAL/Shape_interrogation/IO/write_polylines.h>
 #include <CGAL/Shape_interrogation/Meshing/color_by_property.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <system_error>
@@ -84,24 +87,105 @@ void colour(const std::string& property, si::Shape_mesh& mesh, Task_result& resu
   result.fields["colour"] = {{"property", property}, {"range", {{"approx", range}}}};
 }
 
-void write(const si::Shape_mesh& mesh, const std::filesystem::path& directory,
-           const std::string& file, Task_result& result)
+Report_json polylines_to_json(const std::vector<si::N_space_polyline>& lines)
+{
+  Report_json json = Report_json::array();
+  for (const si::N_space_polyline& line : lines)
+  {
+    json.push_back({{"closed", line.closed}, {"points", Report_json::array()}});
+    for (const std::vector<double>& p : line.points)
+      json.back()["points"].push_back(without_signed_zeros(first<3>(p)));
+  }
+  return json;
+}
+
+// The first of them: where one is, there are often many around it.
+Report_json stops_to_json(const std::vector<si::N_space_stop>& stops)
+{
+  const std::size_t most = 10;
+  Report_json json{{"number", stops.size()}, {"first", Report_json::array()}};
+  for (std::size_t i = 0; i < (std::min)(stops.size(), most); ++i)
+    json["first"].push_back({{"point", without_signed_zeros(first<3>(stops[i].point))},
+                             {"code", si::to_string(stops[i].code)},
+                             {"text", stops[i].evidence}});
+  return json;
+}
+
+void store(const si::N_space_mesh& mesh, const std::vector<std::string>& surfaces,
+           Task_result& result)
+{
+  store(mesh.report, surfaces, result);
+  result.fields.erase("tolerance"); // there is none
+  result.fields["max_residual"] = distance(mesh.max_residual, false);
+  result.fields["max_turning"] = distance(mesh.max_turning, false);
+  result.fields["folds"] = polylines_to_json(mesh.folds);
+  result.fields["rims"] = polylines_to_json(mesh.rims);
+  result.fields["stops"] = stops_to_json(mesh.stops);
+  if (!mesh.folds.empty())
+    result.line += ", folded along " + std::to_string(mesh.folds.size()) +
+                   (mesh.folds.size() == 1 ? " curve" : " curves");
+  if (!mesh.stops.empty())
+    result.line += ", could not be followed at " + std::to_string(mesh.stops.size()) + " vertices";
+}
+
+void refuse(const si::Refusal& refusal, Task_result& result)
+{
+  result.status = "refused";
+  result.code = si::to_string(refusal.code());
+  result.text = refusal.evidence();
+}
+
+void write(const Mesh_task& task, const std::filesystem::path& directory, si::Shape_mesh& mesh,
+           Task_result& result)
+{
+  if (!task.colour.empty())
+    colour(task.colour, mesh, result);
+  std::string reason;
+  si::write_mesh(path_of(directory, task.file), mesh.surface_mesh, reason);
+  store_file("file", task.file, reason, result);
+}
+
+void run_system_mesh(const Model& model, const Mesh_task& task,
+                     const std::filesystem::path& directory, const Show_progress& show,
+                     Task_result& result)
+{
+  result.number_type = "double";
+  const si::Result<si::N_space_mesh> made = mesh_system(model, task, show);
+  if (!made)
+    return refuse(made.refusal(), result);
+  si::N_space_mesh mesh = *made;
+  store(mesh, task.surfaces, result);
+  write(task, directory, mesh, result);
+  if (task.folds_file.empty())
+    return;
+  const auto& system = std::get<System_model>(model.surfaces.at(task.surfaces.front()).data);
+  std::string reason;
+  si::write_polylines(path_of(directory, task.folds_file), mesh.folds, system.variables, reason);
+  store_file("folds_file", task.folds_file, reason, result);
+}
+
+} // namespace
+
+std::string path_of(const std::filesystem::path& directory, const std::string& file)
 {
   const std::filesystem::path path = directory / file;
   std::error_code ignored; // the writer says what is wrong
   std::filesystem::create_directories(path.parent_path(), ignored);
-  std::string reason;
-  if (si::write_mesh(path.string(), mesh.surface_mesh, reason))
-    result.fields["file"] = file;
-  else
-  {
-    result.status = "error";
-    result.code = "output";
-    result.text = reason;
-  }
+  return path.string();
 }
 
-} // namespace
+void store_file(const char* field, const std::string& file, const std::string& reason,
+                Task_result& result)
+{
+  if (reason.empty())
+  {
+    result.fields[field] = file;
+    return;
+  }
+  result.status = "error";
+  result.code = "output";
+  result.text = reason;
+}
 
 void run_mesh(const Model& model, const Mesh_task& task, const std::filesystem::path& directory,
               Progress_bar& progress, Task_result& result)
@@ -111,22 +195,17 @@ void run_mesh(const Model& model, const Mesh_task& task, const std::filesystem::
     return true;
   };
   const Surface_model& first = model.surfaces.at(task.surfaces.front());
+  if (std::holds_alternative<System_model>(first.data))
+    return run_system_mesh(model, task, directory, show, result);
   const bool is_implicit = std::holds_alternative<Implicit_model>(first.data);
   result.number_type = is_implicit ? "double" : "filtered";
   const si::Result<si::Shape_mesh> made =
     is_implicit ? mesh_implicit(model, task, show) : mesh_patches(model, task, show);
   if (!made)
-  {
-    result.status = "refused";
-    result.code = si::to_string(made.refusal().code());
-    result.text = made.refusal().evidence();
-    return;
-  }
+    return refuse(made.refusal(), result);
   si::Shape_mesh mesh = *made;
   store(mesh.report, task.surfaces, result);
-  if (!task.colour.empty())
-    colour(task.colour, mesh, result);
-  write(mesh, directory, task.file, result);
+  write(task, directory, mesh, result);
 }
 
 } // namespace interrogate

@@ -41,6 +41,8 @@ void dispatch(const Model& model, const Task& task, std::optional<Number_type> p
     run_shape_operator(*shape_operator, preferred, result);
   else if (const auto* mesh = std::get_if<Mesh_task>(&task.data))
     run_mesh(model, *mesh, directory, progress, result);
+  else if (const auto* line = std::get_if<Line_task>(&task.data))
+    run_line(model, *line, directory, progress, result);
   else
     set_status(result, "error", "unsupported", std::get<Unsupported_task>(task.data).what);
 }
@@ -70,6 +72,14 @@ Task_result run_task(const Model& model, const Task& task, std::optional<Number_
   catch (const si::Mixed_roots_error& e)
   {
     set_status(result, "refused", "not_algebraic", e.what());
+  }
+  catch (const si::Division_by_zero_error& e)
+  {
+    set_status(result, "refused", "pole", e.what());
+  }
+  catch (const si::Domain_error& e)
+  {
+    set_status(result, "refused", "outside_domain", e.what());
   }
   catch (const si::Limit_error& e)
   {

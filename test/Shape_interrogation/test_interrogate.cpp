@@ -146,6 +146,31 @@ TEST_F(Program, examples_of_constructions)
   EXPECT_EQ(torus[0]["principal_curvatures"][1]["exact"], "1");
 }
 
+TEST_F(Program, meshes_and_lines_of_the_examples)
+{
+  const Json ruled = report(examples / "ruled.json", 0)["tasks"];
+  EXPECT_EQ(ruled[1]["euler_characteristic"], 1);
+  EXPECT_EQ(ruled[2]["ends"][0]["text"], "lambda is 0");
+  EXPECT_EQ(ruled[2]["ends"][1]["text"], "lambda is 1");
+  EXPECT_EQ(ruled[3]["ended"], Json({"bound", "bound"}));
+  const Json folded = report(examples / "offset.json", 0)["tasks"][3];
+  EXPECT_EQ(folded["euler_characteristic"], 2);
+  EXPECT_EQ(folded["boundary_edges"], 0);
+  EXPECT_EQ(folded["folds"].size(), 4u);
+  const Json bisector = report(examples / "bisector.json", 0)["tasks"];
+  EXPECT_EQ(bisector[2]["euler_characteristic"], 1);
+  EXPECT_EQ(bisector[3]["closed"], true);
+  const Json torus = report(examples / "rolling_ball.json", 0)["tasks"];
+  EXPECT_EQ(torus[1]["euler_characteristic"], 0);
+  EXPECT_EQ(torus[1]["boundary_edges"], 0);
+  EXPECT_EQ(torus[2]["closed"], true);
+  for (const Json& t : report(examples / "paper_figures.json", 0)["tasks"])
+  {
+    EXPECT_EQ(t["status"], "ok") << t["id"];
+    EXPECT_TRUE(fs::exists(m_directory / "out" / t["file"].get<std::string>())) << t["id"];
+  }
+}
+
 TEST_F(Program, number_types_and_decisions)
 {
   // A sphere is umbilic everywhere; at this point only exact arithmetic can say so.

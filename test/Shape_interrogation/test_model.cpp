@@ -216,7 +216,9 @@ TEST(Model, what_this_version_does_not_offer_is_no_error_of_the_model)
     "tasks": [ { "task": "continuity", "anything": [1] },
                { "task": "curvature", "surface": "o", "at": { "point": [0,0,0] } },
                { "task": "curvature", "curve": "c", "at": { "parameters": [0] } },
-               { "task": "mesh", "surface": "n", "file": "n.ply", "edge_length": 1 } ] })");
+               { "task": "line", "kind": "ridge", "surface": "n" },
+               { "task": "mesh", "surface": "n", "file": "n.ply", "edge_length": 1,
+                 "start": { "point": [0,0,0,0] }, "tolerance": 1 } ] })");
   Progress_bar no_progress(false);
   for (const Task& task : model.tasks)
   {
@@ -247,10 +249,28 @@ const char* const meshes = R"json({
       "box": [[2, 3], [2, 3], [-1, 1]] } ]
 })json";
 
-// The models in data/models, and one with meshes.
+const char* const systems = R"json({
+  "surfaces": {
+    "q": { "kind": "system", "variables": ["x", "y", "z", "w"], "equations": ["z-w", "w-x*y"],
+      "bounds": { "w": [-1, 1] } },
+    "o": { "kind": "offset_system", "of": "s", "distance": "1/2" },
+    "s": { "kind": "implicit", "f": "x^2+y^2+z^2-1" } },
+  "tasks": [
+    { "task": "mesh", "surface": "q", "file": "q.ply", "edge_length": "1/2", "colour": "kmin",
+      "start": [{ "point": [0, 0, 0, 0] }, { "point": { "x": 1, "y": 0, "z": 0, "w": 0 } }],
+      "box": [[-1, 1], [-1, "3/2"], [-1, 0.5]], "folds_file": "f.vtp" },
+    { "task": "mesh", "surface": "o", "file": "o.vtp", "edge_length": 1,
+      "box": [[-2, 2], [-2, 2], [0, 2]] },
+    { "task": "line", "kind": "section", "surface": "o", "plane": [0, 0, 1, "-1/4"], "step": "1/2",
+      "start": { "point": [1.5, 0, 0, 1, 0, 0] }, "file": "l.ply" },
+    { "task": "line", "kind": "intersection", "surfaces": ["q", "s"], "step": "1/4",
+      "start": [{ "point": [1, 0, 0, 0] }, { "point": [1, 0, 0] }], "max_points": 100 } ]
+})json";
+
+// The models in data/models, and those with meshes and lines.
 std::vector<std::string> seeds()
 {
-  std::vector<std::string> texts{meshes};
+  std::vector<std::string> texts{meshes, systems};
   for (const char* name : {"constructions", "curves", "implicit", "patches", "system"})
   {
     const std::string file = SHAPE_INTERROGATION_TEST_DATA "/models/" + std::string(name) + ".json";
@@ -324,6 +344,8 @@ protected:
       Mesh_task* mesh = std::get_if<Mesh_task>(&task.data);
       if (mesh)
         mesh->max_vertices = 400;
+      if (Line_task* line = std::get_if<Line_task>(&task.data))
+        line->max_points = 100;
       const Task_result result = run_task(model, task, {}, m_directory, no_progress);
       EXPECT_TRUE(result.status == "ok" || !result.text.empty());
       EXPECT_NE(result.code, "failure") << result.text;

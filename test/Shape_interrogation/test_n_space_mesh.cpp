@@ -449,6 +449,8 @@ TEST(N_space_mesh, Refusals)
   EXPECT_EQ(code(mesh_of(sphere, {{1, 0, 0}}, 0.1, {{0, -1, 0}})), Refusal_code::OUTSIDE_DOMAIN);
   EXPECT_EQ(code(mesh_of(sphere, {{1, 0}}, 0.1)), Refusal_code::NOT_ON_SOLUTION);
   EXPECT_EQ(code(mesh_of(sphere, {{0, 0, 0}}, 0.1)), Refusal_code::RANK_DEFICIENT);
+  const N_space_system circle = make_n_space_system({"x", "y", "z"}, {"x^2 + y^2 - 1", "z"});
+  EXPECT_EQ(code(mesh_of(circle, {{1, 0, 0}}, 0.5)), Refusal_code::NOT_TWO_DIMENSIONAL);
   const N_space_system empty = make_n_space_system({"x", "y", "z"}, {"x^2 + y^2 + z^2 + 1"});
   EXPECT_FALSE(mesh_of(empty, {{1, 0, 0}}, 0.1));
   const N_space_system plane = make_n_space_system({"x", "y", "z"}, {"z"});

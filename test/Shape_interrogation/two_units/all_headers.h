@@ -17,6 +17,7 @@
 #include <CGAL/Shape_interrogation/IO/read_ply.h>
 #include <CGAL/Shape_interrogation/IO/write_mesh.h>
 #include <CGAL/Shape_interrogation/IO/write_ply.h>
+#include <CGAL/Shape_interrogation/IO/write_polylines.h>
 #include <CGAL/Shape_interrogation/IO/write_vtp.h>
 #include <CGAL/Shape_interrogation/Meshing/color_by_property.h>
 #include <CGAL/Shape_interrogation/Meshing/mesh_implicit_surface.h>

@@ -98,7 +98,8 @@ inline std::string fault_of(const N_space_mesh_options& options, const N_space_s
  *
  * \return the mesh; or a refusal: `LIMIT_EXCEEDED` for options that make no sense and when more
  * vertices are needed than allowed, `NOT_ON_SOLUTION` when no start point leads to the surface,
- * `OUTSIDE_DOMAIN` when one leads out of the bounds, those of `N_space_corrector` at a start point,
+ * `OUTSIDE_DOMAIN` when one leads out of the bounds, `NOT_TWO_DIMENSIONAL` when the solution is a
+ * curve, those of `N_space_corrector` at a start point,
  * `CANCELLED`
  *
  * Complexity: linear in the number of vertices, each with a few corrections

@@ -61,21 +61,11 @@ public:
       refuse_mesh(Refusal_code::NOT_ON_SOLUTION, "no start point leads to the surface");
     const std::vector<Soup_triangle> triangles = triangulate();
     if (triangles.empty())
-      refuse_no_triangles();
+      refuse_without_triangles();
     return build(triangles);
   }
 
 private:
-  [[noreturn]] void refuse_no_triangles() const
-  {
-    if (!m_cover.stops().empty())
-      refuse_mesh(m_cover.stops()[0].code,
-                  "no triangle could be made: " + m_cover.stops()[0].evidence);
-    refuse_mesh(Refusal_code::OUTSIDE_DOMAIN,
-                "no triangle could be made: the part of the surface within the bounds is too "
-                "small for the length of the edges");
-  }
-
   void start_at(const std::vector<double>& p, std::size_t index)
   {
     const std::string name = "start point " + std::to_string(index + 1);
@@ -156,6 +146,17 @@ private:
         assembly.add(t.corners, t.votes == 3);
     assembly.fill_holes();
     return assembly.triangles();
+  }
+
+  // The solution may be a curve, a point, or too small a part of a surface.
+  void refuse_without_triangles() const
+  {
+    const auto shape = N_space_evaluator<double>(m_system)(m_cover.vertices()[0].chart.point);
+    if (!shape && shape.refusal().code() == Refusal_code::NOT_TWO_DIMENSIONAL)
+      refuse_mesh(shape.refusal().code(), shape.refusal().evidence());
+    if (!m_cover.stops().empty())
+      refuse_mesh(m_cover.stops()[0].code, m_cover.stops()[0].evidence);
+    refuse_mesh(Refusal_code::UNDECIDED, "no triangle was found between the bounds");
   }
 
   // A triangle between vertices on the bounds may lie beyond a bound that curves inward.
