@@ -162,6 +162,47 @@ TEST(N_space_curves, Cusp_ends_a_curve)
   expect_box_contains(cusp->ends[1], {0, 0, 0});
 }
 
+// The units of an equation, or of space, make no difference.
+TEST(N_space_curves, Branches_in_other_units)
+{
+  for (const char* unit : {"1", "1000000", "1/1000000"})
+  {
+    const std::string u = unit;
+    const auto node = curve_of(
+      make_n_space_system({"x", "y", "z"}, {u + "*(y^2 - x^2*(x+1))", "z/" + u}), {1, 1.4, 0}, 0.1,
+      {{0, -2, 2}});
+    ASSERT_TRUE(node) << node.refusal().evidence();
+    EXPECT_EQ(node->ends[1].reason, End::SINGULAR) << unit;
+  }
+}
+
+// Two branches that come near to each other, and a loop that passes near its start.
+TEST(N_space_curves, Near_branches_are_not_confused)
+{
+  const auto hyperbola = curve_of(
+    make_n_space_system({"x", "y", "z"}, {"y^2 - x^2 - 1/10000", "z"}), {-1, 1, 0}, 0.1,
+    {{0, -2, 2}});
+  ASSERT_TRUE(hyperbola);
+  for (const Point& p : hyperbola->points)
+    EXPECT_GT(p[1], 0);
+  // A curve on a torus around the unit circle with a small tube that closes after two turns.
+  const auto loop = curve_of(
+    make_n_space_system({"x", "y", "z", "c", "s"},
+                        {"c^2 + s^2 - 1", "x - (1 + c/100)*(2*c^2 - 1)",
+                         "y - (1 + c/100)*2*c*s", "z - s/100"}), {1.01, 0, 0, 1, 0}, 0.1);
+  ASSERT_TRUE(loop);
+  EXPECT_TRUE(loop->closed);
+  EXPECT_NEAR(length(*loop), 4 * std::acos(-1.), 0.05);
+}
+
+TEST(N_space_curves, Curve_in_a_bound_is_followed)
+{
+  const auto circle = curve_of(make_n_space_system({"x", "y", "z"}, {"x^2 + y^2 - 1", "z"}),
+                               {1, 0, 0}, 0.1, {{2, 0, 1}});
+  ASSERT_TRUE(circle) << circle.refusal().evidence();
+  EXPECT_TRUE(circle->closed);
+}
+
 // Where only some rows of a redundant system become dependent nothing ends.
 TEST(N_space_curves, Rows_that_become_dependent_do_not_end_a_curve)
 {
@@ -210,6 +251,8 @@ TEST(N_space_curves, Refusals)
   ASSERT_TRUE(limited);
   EXPECT_EQ(limited->ends[0].reason, End::LIMIT);
   EXPECT_EQ(limited->points.size(), 21u);
+  EXPECT_EQ(code(curve_of(surface, {0, 0, 0}, 1, {}, N_space_condition{{1, 0}, 0})),
+            Refusal_code::LIMIT_EXCEEDED);
   const auto stop = [](std::size_t done, std::size_t) { return done < 5; };
   EXPECT_EQ(code(trace_n_space_curve(line, {0, 0, 0}, options, std::nullopt, stop)),
             Refusal_code::CANCELLED);

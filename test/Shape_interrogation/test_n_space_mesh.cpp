@@ -414,6 +414,67 @@ TEST(N_space_mesh, Singular_points_leave_a_rim)
   EXPECT_FALSE(mesh->stops[0].evidence.empty());
 }
 
+// Near each other, or behind an edge that is sharper than the edges are long.
+TEST(N_space_mesh, Near_sheets)
+{
+  const N_space_system spheres = make_n_space_system(
+    {"x", "y", "z"}, {"(x^2 + y^2 + z^2 - 1)*(x^2 + y^2 + z^2 - 441/400)"});
+  const auto mesh = mesh_of(spheres, {{1, 0, 0}, {1.05, 0, 0}}, 0.1);
+  ASSERT_TRUE(mesh) << mesh.refusal().evidence();
+  expect_whole(*mesh, 4, 2);
+  const N_space_system flat = make_n_space_system({"x", "y", "z"}, {"x^2 + y^2 + 100*z^2 - 1"});
+  const auto ellipsoid = mesh_of(flat, {{0, 0, 0.1}}, 0.2);
+  ASSERT_TRUE(ellipsoid) << ellipsoid.refusal().evidence();
+  expect_whole(*ellipsoid, 2, 1);
+  const N_space_system tube = make_n_space_system(
+    {"x", "y", "z"}, {"(x^2 + y^2 + z^2 + 1 - 1/400)^2 - 4*(x^2 + y^2)"});
+  for (double edge_length : {0.05, 0.0612522, 0.0802891})
+  {
+    const auto torus = mesh_of(tube, {{1.05, 0, 0}}, edge_length);
+    ASSERT_TRUE(torus) << torus.refusal().evidence();
+    EXPECT_EQ(torus->report.euler_characteristic, 0) << edge_length;
+    EXPECT_TRUE(torus->rims.empty()) << edge_length;
+  }
+}
+
+TEST(N_space_mesh, Bounds_that_are_nearer_than_an_edge)
+{
+  const N_space_system plane = make_n_space_system({"x", "y", "z"}, {"z"});
+  for (const Q& width : {Q(1, 10), Q(1, 30), Q(1, 100), Q(1, 1000)})
+    for (const Q& height : {Q(1), width})
+    {
+      SCOPED_TRACE(width.get_d());
+      const auto mesh = mesh_of(plane, {{0, 0, 0}}, 0.1,
+                                {{0, 0, width}, {1, 0, height}, {0, Q(-1), Q(2)}});
+      ASSERT_TRUE(mesh) << mesh.refusal().evidence();
+      expect_whole(*mesh, 1, 1);
+      double area = 0;
+      const Mesh& m = mesh->surface_mesh;
+      for (const auto f : m.faces())
+      {
+        const auto h = m.halfedge(f);
+        area += std::sqrt(CGAL::squared_area(m.point(m.source(h)), m.point(m.target(h)),
+                                             m.point(m.target(m.next(h)))));
+      }
+      EXPECT_NEAR(area, width.get_d() * height.get_d(), 1e-9);
+    }
+}
+
+// A Moebius strip: (p,q) is a multiple of the direction of half the angle.
+TEST(N_space_mesh, Surface_that_cannot_be_oriented_is_cut_once)
+{
+  const N_space_system strip = make_n_space_system(
+    {"x", "y", "z", "a", "b", "p", "q", "r"},
+    {"a^2 + b^2 - 1", "x - (2+p)*a", "y - (2+p)*b", "z - q", "p*(1-a) - q*b", "p*b - q*(1+a)",
+     "r - p^2 - q^2"});
+  const auto mesh = mesh_of(strip, {{2.1, 0, 0, 1, 0, 0.1, 0, 0.01}}, 0.1,
+                            {range(strip, "r", -1, Q(1, 4))});
+  ASSERT_TRUE(mesh) << mesh.refusal().evidence();
+  EXPECT_TRUE(mesh->report.manifold);
+  EXPECT_EQ(mesh->report.components, 1u);
+  EXPECT_EQ(mesh->rims.size(), 1u);
+}
+
 TEST(N_space_mesh, Projection_to_a_point_has_no_curvature_anywhere)
 {
   const N_space_system system = make_n_space_system(
@@ -446,6 +507,8 @@ TEST(N_space_mesh, Refusals)
   EXPECT_EQ(code(mesh_of(sphere, {{1, 0, 0}}, std::nan(""))), Refusal_code::LIMIT_EXCEEDED);
   EXPECT_EQ(code(mesh_of(sphere, {{1, 0, 0}}, 0.1, {{3, 0, 1}})), Refusal_code::LIMIT_EXCEEDED);
   EXPECT_EQ(code(mesh_of(sphere, {{1, 0, 0}}, 0.1, {{0, 1, 0}})), Refusal_code::LIMIT_EXCEEDED);
+  EXPECT_EQ(code(mesh_of(sphere, {{1, 0, 0}}, 0.1, {{0, 1, 1}})), Refusal_code::LIMIT_EXCEEDED);
+  EXPECT_FALSE(mesh_of(sphere, {{1, 0, 0}}, 1e300));
   EXPECT_EQ(code(mesh_of(sphere, {{1, 0, 0}}, 0.1, {{0, -1, 0}})), Refusal_code::OUTSIDE_DOMAIN);
   EXPECT_EQ(code(mesh_of(sphere, {{1, 0}}, 0.1)), Refusal_code::NOT_ON_SOLUTION);
   EXPECT_EQ(code(mesh_of(sphere, {{0, 0, 0}}, 0.1)), Refusal_code::RANK_DEFICIENT);

@@ -22,8 +22,8 @@ namespace Shape_interrogation {
 
 namespace internal {
 
-// The depth limits the recursion into long products.
-inline Expression square_of_expression(const Expression& x, int depth = 64)
+// The depth limits the recursion into products: shared factors are visited once for each use.
+inline Expression square_of_expression(const Expression& x, int depth = 12)
 {
   using Op = Expression_operation;
   const Expression_handle& handle = x.handle();

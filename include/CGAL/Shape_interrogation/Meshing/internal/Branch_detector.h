@@ -9,9 +9,10 @@
 #ifndef CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_BRANCH_DETECTOR_H
 #define CGAL_SHAPE_INTERROGATION_MESHING_INTERNAL_BRANCH_DETECTOR_H
 
-// Tells whether a curve in n-space passes through a point where its equations become dependent. At
-// a simple crossing of two branches the determinant of the Jacobian, completed by the tangent,
-// changes its sign between points on either side, however near to each other they are.
+// Tells whether a step on a curve or surface in n-space passes a point where the equations become
+// dependent. At a crossing of two branches, or the apex of a cone, the determinant of the Jacobian,
+// completed by the tangent vectors, changes its sign between points on either side, however near to
+// each other they are.
 
 #include <CGAL/Shape_interrogation/Surfaces/N_space_condition.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_system.h>
@@ -19,6 +20,7 @@
 #include <Eigen/Dense>
 
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 namespace CGAL {
@@ -31,8 +33,11 @@ public:
   // Dense matrices are used: for systems with more variables nothing is detected.
   static constexpr int most_variables = 96;
 
-  Branch_detector(const N_space_system& system, const std::vector<N_space_condition>& fixed)
-    : m_system(system), m_fixed(fixed), m_n(system.number_of_variables())
+  using Tangents = std::vector<std::vector<double>>;
+
+  // `rank` is the number of independent equations and conditions.
+  Branch_detector(const N_space_system& system, std::vector<N_space_condition> fixed, int rank)
+    : m_system(system), m_fixed(std::move(fixed)), m_n(system.number_of_variables()), m_rank(rank)
   {}
 
   bool is_able() const { return m_n <= most_variables; }
@@ -41,13 +46,13 @@ public:
   // choice.
   bool is_square() const
   {
-    return m_system.number_of_equations() + static_cast<int>(m_fixed.size()) == m_n - 1;
+    return m_system.number_of_equations() + static_cast<int>(m_fixed.size()) == m_rank;
   }
 
   // Whether the same independent rows have determinants of opposite sign at both points. That
   // happens also where only these rows become dependent: see independence().
-  bool may_branch(const std::vector<double>& p, const std::vector<double>& tp,
-                  const std::vector<double>& q, const std::vector<double>& tq) const
+  bool may_branch(const std::vector<double>& p, const Tangents& tp, const std::vector<double>& q,
+                  const Tangents& tq) const
   {
     const Eigen::VectorXd sizes = row_sizes(p);
     const Eigen::MatrixXd jp = jacobian(p, sizes), jq = jacobian(q, sizes);
@@ -73,7 +78,7 @@ public:
   {
     const Eigen::JacobiSVD<Eigen::MatrixXd> svd(jacobian(p, sizes));
     const auto& values = svd.singularValues();
-    return values.size() < m_n - 1 || !(values(0) > 0) ? 0 : values(m_n - 2) / values(0);
+    return values.size() < m_rank || !(values(0) > 0) ? 0 : values(m_rank - 1) / values(0);
   }
 
 private:
@@ -94,19 +99,20 @@ private:
   }
 
   template <class Rows>
-  int sign(const Eigen::MatrixXd& j, const std::vector<double>& tangent, const Rows& rows) const
+  int sign(const Eigen::MatrixXd& j, const Tangents& tangents, const Rows& rows) const
   {
     Eigen::MatrixXd square(m_n, m_n);
-    for (int k = 0; k < m_n - 1; ++k)
+    for (int k = 0; k < m_rank; ++k)
       square.row(k) = j.row(rows(k)).normalized();
-    square.row(m_n - 1) = Eigen::Map<const Eigen::RowVectorXd>(tangent.data(), m_n);
+    for (int k = m_rank; k < m_n; ++k)
+      square.row(k) = Eigen::Map<const Eigen::RowVectorXd>(tangents[k - m_rank].data(), m_n);
     const double d = square.partialPivLu().determinant();
     return d > 0 ? 1 : d < 0 ? -1 : 0;
   }
 
   const N_space_system& m_system;
-  const std::vector<N_space_condition>& m_fixed;
-  int m_n;
+  std::vector<N_space_condition> m_fixed;
+  int m_n, m_rank;
 };
 
 } // namespace internal

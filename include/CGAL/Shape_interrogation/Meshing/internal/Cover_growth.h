@@ -14,6 +14,7 @@
 // middle of what is still empty.
 
 #include <CGAL/Shape_interrogation/Meshing/internal/Boundary_tracer.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/Branch_detector.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/N_space_cover.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/Voronoi_cell.h>
 
@@ -45,7 +46,8 @@ class Cover_growth
 {
 public:
   Cover_growth(const N_space_system& system, N_space_cover& cover, Go_on go_on)
-    : m_cover(cover), m_boundary(system, cover, go_on), m_go_on(go_on)
+    : m_cover(cover), m_boundary(system, cover, go_on), m_go_on(go_on),
+      m_branches(system, {}, system.number_of_variables() - 2)
   {}
 
   // Covers the component of a surface point, unless it is covered. Returns false if it is.
@@ -201,6 +203,12 @@ private:
     if (!m_cover.fit(v, parent.chart, turning))
       return shrink(vertex, 0.8 * m_cover.max_turning() / turning,
                     Refusal(Refusal_code::RANK_DEFICIENT, "the tangent plane turns too fast"));
+    // Near a singular point, where units are small, a step can go straight through it.
+    if (parent.chart.size < 0.25 && m_branches.is_able() && m_branches.is_square() &&
+        m_branches.may_branch(parent.chart.point, {parent.chart.basis[0], parent.chart.basis[1]},
+                              v.chart.point, {v.chart.basis[0], v.chart.basis[1]}))
+      return shrink(vertex, 0.5, Refusal(Refusal_code::RANK_DEFICIENT,
+                                         "the equations become dependent on the way"));
     if (!touches_bound(v) && !m_cover.has_within(v.chart, N_space_cover::closest))
       m_cover.insert(std::move(v));
     return Outcome::DONE;
@@ -249,6 +257,7 @@ private:
   N_space_cover& m_cover;
   Boundary_tracer<Go_on> m_boundary;
   Go_on m_go_on;
+  Branch_detector m_branches;
   std::size_t m_first = 0; // vertex of the component
 };
 

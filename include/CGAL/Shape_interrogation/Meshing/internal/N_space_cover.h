@@ -112,8 +112,7 @@ public:
       const Chart_place place = place_in(chart, other.point);
       const double mean = (1 + other.unit() / chart.unit()) / 2;
       const double distance = length(place.at) / mean;
-      if (distance <= radius && place.across <= 0.7 * length(place.at) + 1e-9 &&
-          angle_between(chart, other).cosine > 0.3)
+      if (distance <= radius && is_on_sheet(place, angle_between(chart, other).cosine))
         f(Near_vertex{vertex, place.at, distance});
     });
   }
@@ -191,6 +190,16 @@ public:
   void add_sides(int vertex, std::uint64_t sides) { m_vertices[vertex].sides |= sides; }
 
 private:
+  // A sheet leaves its tangent plane about in proportion to the angle by which that turns. A vertex
+  // that is farther from the plane than this explains belongs to another sheet.
+  static bool is_on_sheet(const Chart_place& place, double cosine)
+  {
+    if (cosine <= 0.3)
+      return false;
+    const double angle = std::acos((std::min)(cosine, 1.));
+    return place.across <= (0.1 + 0.8 * angle) * length(place.at) + 1e-9;
+  }
+
   void set_length(N_space_chart& chart) const
   {
     chart.length = m_edge_length / (std::max)(chart.stretch, m_least_stretch);

@@ -14,6 +14,7 @@
 
 #include <CGAL/Shape_interrogation/Meshing/internal/Bound_side.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/Branch_detector.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/Path.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_corrector.h>
 
 #include <algorithm>
@@ -27,30 +28,6 @@ namespace CGAL {
 namespace Shape_interrogation {
 namespace internal {
 
-struct Path_point
-{
-  std::vector<double> point, tangent; // the tangent has unit length and points forward
-};
-
-enum class Path_end { CLOSED, BOUND, SINGULAR, LIMIT };
-
-struct Path
-{
-  std::vector<Path_point> points; // without the start
-  Path_end end = Path_end::LIMIT;
-  int side = -1;          // the index of the bound where it ends
-  std::string evidence;   // why it ends at a singular point
-  double last_step = 0;   // the singular point is about so near to the end
-};
-
-struct Path_limits
-{
-  double cos_turning = 0.9;  // of the tangents at the ends of a step
-  double least_size = 1e-8; // of a step, as a part of the unit
-  std::size_t max_points = 100000;
-  bool stops_at_branches = false; // also where the curve could be followed straight on
-};
-
 class Path_tracer
 {
 public:
@@ -58,11 +35,9 @@ public:
   Path_tracer(const N_space_system& system, std::vector<N_space_condition> fixed,
               const std::vector<Bound_side>& sides, const Path_limits& limits = {})
     : m_corrector(system, 1 + static_cast<int>(fixed.size())), m_fixed(std::move(fixed)),
-      m_sides(sides), m_limits(limits), m_branches(system, m_fixed)
+      m_sides(sides), m_limits(limits),
+      m_branches(system, m_fixed, system.number_of_variables() - 1)
   {}
-
-  Path_tracer(const Path_tracer&) = delete; // the detector refers to the condition
-  Path_tracer& operator=(const Path_tracer&) = delete;
 
   // The point of the curve near an approximate one, with a tangent.
   Result<Path_point> start(const std::vector<double>& p)
@@ -142,7 +117,7 @@ private:
   bool crosses_branch(const Path_point& p, const Path_point& q) const
   {
     return m_limits.stops_at_branches && m_branches.is_able() &&
-           m_branches.may_branch(p.point, p.tangent, q.point, q.tangent);
+           m_branches.may_branch(p.point, {p.tangent}, q.point, {q.tangent});
   }
 
   // Comes nearer to a branch that the step from p to q crosses. Very near to it corrections may
@@ -164,7 +139,7 @@ private:
       {
         const double middle = (low + high) / 2;
         const std::optional<Path_point> r = step(nearest, middle, path);
-        if (!r || m_branches.may_branch(nearest.point, nearest.tangent, r->point, r->tangent))
+        if (!r || crosses_branch(nearest, *r))
           high = middle;
         else
         {
@@ -179,8 +154,7 @@ private:
       nearest = best;
       rest = (std::max)(2 * (high - low), 2 * h * independence / usual);
       const std::optional<Path_point> beyond = step(nearest, rest, path);
-      if (!beyond || !m_branches.may_branch(nearest.point, nearest.tangent, beyond->point,
-                                            beyond->tangent))
+      if (!beyond || !crosses_branch(nearest, *beyond))
         break;
     }
     const double independence = independence_at(nearest);

@@ -169,8 +169,8 @@ private:
     return (m_cover.vertices()[a].sides & m_cover.vertices()[b].sides) != 0;
   }
 
-  // Chains of sides without a neighbour, in the direction that their triangles need. They are closed,
-  // or can be by a side on a bound that has no triangle.
+  // Chains of sides without a neighbour, in the direction that their triangles need. They are
+  // closed, or can be by a side on a bound that has no triangle.
   std::vector<std::vector<int>> holes() const
   {
     constexpr std::size_t longest = 16;
