@@ -83,8 +83,8 @@ inline std::string fault_of(const N_space_mesh_options& options, const N_space_s
  *
  * <b>What is certified.</b> Nothing: the corrections are done in floating point, distances are the
  * largest that were seen at sample points, and components that no start point leads to are missing.
- * Sheets that are nearer to each other in n-space than a tenth of an edge may be confused, and holes
- * between bounds that no vertex comes near are missed.
+ * Sheets that are nearer to each other in n-space than a tenth of an edge may be confused, and
+ * holes between bounds that no vertex comes near are missed.
  *
  * The vertex properties are those of `Shape_property_maps` and `N_space_property_maps`. Where the
  * projection is singular at a vertex it is in `Mesh_report::refused_places`. The result is the same
