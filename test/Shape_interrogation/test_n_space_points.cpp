@@ -219,6 +219,20 @@ TEST(N_space_enclosure, is_unique_for_the_coordinates_that_it_chooses)
   }
 }
 
+// Conditions that cannot be met are no success, and the origin is a point like others.
+TEST(N_space_corrector, Contradictory_conditions_and_the_origin)
+{
+  const N_space_system sphere = make_system({"x", "y", "z"}, {"x^2 + y^2 + z^2 - 1"});
+  N_space_corrector on_sphere(sphere);
+  EXPECT_FALSE(on_sphere({0, 0, 1}, {N_space_condition::fixed(3, 2, 2)}));
+  EXPECT_TRUE(on_sphere({0, 0.1, 1}, {N_space_condition::fixed(3, 2, 0.5)}));
+  const N_space_system through_origin = make_system(
+    {"x", "y", "z"}, {"(x-1/10)^2 + (y-2/7)^2 + (z-3/11)^2 - (1/100 + 4/49 + 9/121)"});
+  N_space_corrector corrector(through_origin);
+  EXPECT_TRUE(corrector({1e-17, 0, 0}));
+  EXPECT_TRUE(corrector({0, 0, 0}));
+}
+
 TEST(N_space_enclosure, refuses)
 {
   const auto code = [](const N_space_system& system, const Point& start,

@@ -32,9 +32,10 @@ struct N_space_mesh_options
   //! angle in radian by which the tangent plane in n-space turns along an edge at most, about:
   //! edges become shorter where it turns fast. From 0.001 to 1.
   double max_turning = 0.5;
-  //! the mesh ends where a variable leaves one of these; at most 32
+  //! the mesh ends where a variable leaves one of these, rounded to `double`; at most 32
   std::vector<N_space_bound> bounds;
-  //! start points are also looked for in the box of these ranges; none are looked for without any
+  //! start points are also looked for in the box of these ranges; none are looked for without any.
+  //! A variable that is not named is looked for between plus and minus the largest bound.
   std::vector<N_space_bound> search_box;
   //! number of points of the box from which a way to the surface is looked for
   std::size_t search_points = 500;

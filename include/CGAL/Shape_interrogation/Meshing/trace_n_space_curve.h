@@ -146,7 +146,8 @@ Result<N_space_curve> trace_both_ways(const N_space_system& system,
   {
     const Path path = tracer.trace(s, unit, go_on);
     for (const Path_point& p : path.points)
-      curve.points.push_back(p.point);
+      if (p.point != curve.points.back()) // the start may lie on a bound
+        curve.points.push_back(p.point);
     curve.ends[1] = end_of(path, path.points.empty() ? s : path.points.back(), sides, system);
     curve.closed = path.end == Path_end::CLOSED;
     if (direction == 1)
@@ -183,7 +184,7 @@ Result<N_space_curve> trace_both_ways(const N_space_system& system,
  * allow even a very short one it ends at a singular point. It also ends where two branches
  * cross, which is told by the sign of a determinant; that is not looked for in systems of
  * more than 96 variables. Nothing is proved: a step can jump to a branch that is nearer than the
- * step is long.
+ * step is long, and go beyond a bound and back.
  *
  * \tparam Progress is called as `progress(done, 0)` with a number of steps, see `No_progress`
  *

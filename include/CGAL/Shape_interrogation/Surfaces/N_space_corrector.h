@@ -20,8 +20,12 @@
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>
 #include <CGAL/Shape_interrogation/Waist/internal/refuse.h>
 
+#include <CGAL/Interval_nt.h>
+#include <CGAL/assertions.h>
+
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -126,7 +130,8 @@ private:
       previous_step = is_small ? r.step : HUGE_VAL;
       if (!settled && advance(r.point, norm, conditions))
         continue;
-      if (is_small && others_vanish(r) && are_met(conditions, size))
+      const bool is_solution = is_small ? others_vanish(r) : all_vanish_at(r.point);
+      if (is_solution && are_met(conditions, size))
         return finish(std::move(r), all_equations);
       if (all_equations)
         break;
@@ -163,11 +168,19 @@ private:
   {
     if (m_m == m_n - m_dimension)
       return true;
+    return may_vanish(r.point, 16 * (r.step + std::ldexp(largest(r.point), -50)));
+  }
+
+  // Near the origin a step is never small against the coordinates. There it has to be told by the
+  // roundings of the equations alone.
+  bool all_vanish_at(const std::vector<double>& p) { return may_vanish(p, 0); }
+
+  bool may_vanish(const std::vector<double>& p, double radius)
+  {
     Interval_nt<false>::Protector protector;
-    const double radius = 16 * (r.step + std::ldexp(largest(r.point), -50));
     m_box.resize(m_n);
     for (int i = 0; i < m_n; ++i)
-      m_box[i] = Interval_nt<false>(r.point[i]) + Interval_nt<false>(-radius, radius);
+      m_box[i] = Interval_nt<false>(p[i]) + Interval_nt<false>(-radius, radius);
     m_enclosures.resize(m_m);
     m_system.tape().evaluate(m_box.data(), m_enclosures.data(), m_interval_workspace);
     return std::all_of(m_enclosures.begin(), m_enclosures.end(),

@@ -105,12 +105,13 @@ private:
     std::vector<std::array<double, 2>> range(n, {-largest, largest});
     for (std::size_t i = 0; i < box.size(); i += 2)
       range[box[i].variable] = {box[i].value, box[i + 1].value};
+    const std::vector<std::size_t> bases = primes(n);
     for (std::size_t k = 1; k <= m_options.search_points; ++k)
     {
       m_go_on();
       std::vector<double> p(n);
       for (int i = 0; i < n; ++i)
-        p[i] = range[i][0] + radical_inverse(k, base(i)) * (range[i][1] - range[i][0]);
+        p[i] = range[i][0] + radical_inverse(k, bases[i]) * (range[i][1] - range[i][0]);
       const Result<Cover_vertex> v = m_cover.correct(p);
       if (v && m_cover.is_inside(v->chart.point) &&
           std::all_of(box.begin(), box.end(),
@@ -119,18 +120,15 @@ private:
     }
   }
 
-  // The prime number with the given index: the sequences of different bases are independent.
-  static std::size_t base(int index)
+  // The first prime numbers: the sequences of different bases are independent.
+  static std::vector<std::size_t> primes(int count)
   {
-    std::size_t candidate = 2;
-    for (int found = 0;; ++candidate)
-    {
-      bool is_prime = true;
-      for (std::size_t d = 2; d * d <= candidate && is_prime; ++d)
-        is_prime = candidate % d != 0;
-      if (is_prime && found++ == index)
-        return candidate;
-    }
+    std::vector<std::size_t> result;
+    for (std::size_t candidate = 2; static_cast<int>(result.size()) < count; ++candidate)
+      if (std::none_of(result.begin(), result.end(),
+                       [&](std::size_t d) { return candidate % d == 0; }))
+        result.push_back(candidate);
+    return result;
   }
 
   std::vector<Soup_triangle> triangulate()
