@@ -15,12 +15,12 @@
 #include <CGAL/Shape_interrogation/Surfaces/N_space_condition.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_system.h>
 #include <CGAL/Shape_interrogation/Surfaces/internal/Sparse_elimination.h>
+#include <CGAL/Shape_interrogation/Surfaces/internal/Values_nearby.h>
 #include <CGAL/Shape_interrogation/Surfaces/internal/gauss_newton_step.h>
 #include <CGAL/Shape_interrogation/Surfaces/internal/orthonormal_kernel.h>
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>
 #include <CGAL/Shape_interrogation/Waist/internal/refuse.h>
 
-#include <CGAL/Interval_nt.h>
 #include <CGAL/assertions.h>
 
 #include <algorithm>
@@ -130,7 +130,9 @@ private:
       previous_step = is_small ? r.step : HUGE_VAL;
       if (!settled && advance(r.point, norm, conditions))
         continue;
-      const bool is_solution = is_small ? others_vanish(r) : all_vanish_at(r.point);
+      // Near the origin no step is small against the coordinates: the roundings alone tell.
+      const bool is_solution =
+        is_small ? others_vanish(r) : m_enclosure.may_vanish(m_system, r.point, 0);
       if (is_solution && are_met(conditions, size))
         return finish(std::move(r), all_equations);
       if (all_equations)
@@ -168,23 +170,8 @@ private:
   {
     if (m_m == m_n - m_dimension)
       return true;
-    return may_vanish(r.point, 16 * (r.step + std::ldexp(largest(r.point), -50)));
-  }
-
-  // Near the origin a step is never small against the coordinates. There it has to be told by the
-  // roundings of the equations alone.
-  bool all_vanish_at(const std::vector<double>& p) { return may_vanish(p, 0); }
-
-  bool may_vanish(const std::vector<double>& p, double radius)
-  {
-    Interval_nt<false>::Protector protector;
-    m_box.resize(m_n);
-    for (int i = 0; i < m_n; ++i)
-      m_box[i] = Interval_nt<false>(p[i]) + Interval_nt<false>(-radius, radius);
-    m_enclosures.resize(m_m);
-    m_system.tape().evaluate(m_box.data(), m_enclosures.data(), m_interval_workspace);
-    return std::all_of(m_enclosures.begin(), m_enclosures.end(),
-                       [](const Interval_nt<false>& x) { return x.inf() <= 0 && x.sup() >= 0; });
+    return m_enclosure.may_vanish(
+      m_system, r.point, 16 * (r.step + std::ldexp(largest(r.point), -50)));
   }
 
   // A Newton step has left the tangent basis of the point; one of all equations has not.
@@ -301,7 +288,7 @@ private:
   internal::Orthonormal_kernel m_kernel;
   std::vector<double> m_values, m_gradient, m_workspace, m_excess, m_right_hand_side, m_step,
     m_trial;
-  std::vector<Interval_nt<false>> m_box, m_enclosures, m_interval_workspace;
+  internal::Values_nearby m_enclosure;
 };
 
 } // namespace Shape_interrogation
