@@ -73,12 +73,14 @@ public:
     set_rational(x);
   }
 
-  Wide_interval(const Wide_interval& x) //!< copies with all bits.
+  //! copies with all bits.
+  Wide_interval(const Wide_interval& x)
   {
     mpfi_init2(m_x, mpfi_get_prec(x.m_x));
     mpfi_set(m_x, x.m_x);
   }
-  Wide_interval& operator=(const Wide_interval& x) //!< copies with all bits.
+  //! copies with all bits.
+  Wide_interval& operator=(const Wide_interval& x)
   {
     if (this != &x)
     {
@@ -88,29 +90,31 @@ public:
     }
     return *this;
   }
-  Wide_interval(Wide_interval&& x) //!< takes the value over.
+  //! takes the value over.
+  Wide_interval(Wide_interval&& x)
   {
     mpfi_init2(m_x, 2);
     mpfi_swap(m_x, x.m_x);
   }
-  Wide_interval& operator=(Wide_interval&& x) noexcept //!< takes the value over.
+  //! takes the value over.
+  Wide_interval& operator=(Wide_interval&& x) noexcept
   {
     mpfi_swap(m_x, x.m_x);
     return *this;
   }
-  ~Wide_interval() { mpfi_clear(m_x); }
+  ~Wide_interval() { mpfi_clear(m_x); } //!< frees the memory.
   /// @}
 
   /// \name Arithmetic
   /// @{
+
+  //! adds.
   friend Wide_interval operator+(const Wide_interval& a, const Wide_interval& b)
-  {
-    return result([&](mpfi_ptr r) { mpfi_add(r, a.m_x, b.m_x); });
-  }
+  { return result([&](mpfi_ptr r) { mpfi_add(r, a.m_x, b.m_x); }); }
+  //! subtracts.
   friend Wide_interval operator-(const Wide_interval& a, const Wide_interval& b)
-  {
-    return result([&](mpfi_ptr r) { mpfi_sub(r, a.m_x, b.m_x); });
-  }
+  { return result([&](mpfi_ptr r) { mpfi_sub(r, a.m_x, b.m_x); }); }
+  //! multiplies; a square is not negative.
   friend Wide_interval operator*(const Wide_interval& a, const Wide_interval& b)
   {
     return &a == &b ? result([&](mpfi_ptr r) { mpfi_sqr(r, a.m_x); })
@@ -126,18 +130,17 @@ public:
         mpfi_div(r, a.m_x, b.m_x);
     });
   }
-  Wide_interval operator-() const
-  {
-    return result([this](mpfi_ptr r) { mpfi_neg(r, m_x); });
-  }
-  Wide_interval& operator+=(const Wide_interval& x) { return *this = *this + x; }
-  Wide_interval& operator-=(const Wide_interval& x) { return *this = *this - x; }
-  Wide_interval& operator*=(const Wide_interval& x) { return *this = *this * x; }
-  Wide_interval& operator/=(const Wide_interval& x) { return *this = *this / x; }
+  //! negates.
+  Wide_interval operator-() const { return result([this](mpfi_ptr r) { mpfi_neg(r, m_x); }); }
+  Wide_interval& operator+=(const Wide_interval& x) { return *this = *this + x; } //!< adds.
+  Wide_interval& operator-=(const Wide_interval& x) { return *this = *this - x; } //!< subtracts.
+  Wide_interval& operator*=(const Wide_interval& x) { return *this = *this * x; } //!< multiplies.
+  Wide_interval& operator/=(const Wide_interval& x) { return *this = *this / x; } //!< divides.
   /// @}
 
   /// \name Access
   /// @{
+
   //! returns the sign, which is uncertain if the interval contains zero and more.
   Uncertain<CGAL::Sign> sign() const
   {
@@ -158,9 +161,7 @@ public:
   Wide_interval width() const { return point(mpfi_diam_abs); }
   //! returns the hull of both intervals.
   friend Wide_interval hull(const Wide_interval& a, const Wide_interval& b)
-  {
-    return result([&](mpfi_ptr r) { mpfi_union(r, a.m_x, b.m_x); });
-  }
+  { return result([&](mpfi_ptr r) { mpfi_union(r, a.m_x, b.m_x); }); }
   //! takes the common part with `x`; returns false, without a meaningful value, if there is none.
   bool intersect(const Wide_interval& x)
   {
@@ -169,10 +170,8 @@ public:
   }
   //! returns `f` of the interval, where `f` is a function of MPFI.
   template <class Function>
-  Wide_interval apply(Function f) const
-  {
-    return result([&](mpfi_ptr r) { f(r, m_x); });
-  }
+  Wide_interval apply(Function f) const { return result([&](mpfi_ptr r) { f(r, m_x); }); }
+  //! prints the ends.
   friend std::ostream& operator<<(std::ostream& out, const Wide_interval& x)
   {
     const std::pair<double, double> e = x.ends();
