@@ -12,9 +12,9 @@
 // Follows the solution curve of a system in n-space, or a section of a surface.
 
 #include <CGAL/Shape_interrogation/Meshing/N_space_mesh.h>
-#include <CGAL/Shape_interrogation/Meshing/internal/Mesh_refused.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/Path_tracer.h>
-#include <CGAL/Shape_interrogation/Meshing/mesh_n_space_surface.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/fault_of_bounds.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/mesh_with_progress.h>
 #include <CGAL/Shape_interrogation/Meshing/progress.h>
 #include <CGAL/Shape_interrogation/Waist/internal/refuse.h>
 
@@ -222,21 +222,9 @@ Result<N_space_curve> trace_n_space_curve(const N_space_system& system,
   const std::string fault = internal::fault_of(options.bounds, system);
   if (!fault.empty())
     return Refusal(Refusal_code::LIMIT_EXCEEDED, fault);
-  std::size_t steps = 0;
-  const auto go_on = [&] {
-    if (!progress(++steps, std::size_t(0)))
-      internal::refuse_mesh(Refusal_code::CANCELLED, "the caller asked to stop");
-    return true;
-  };
-  try
-  {
-    return internal::refuse_errors<N_space_curve>(
-      [&] { return internal::trace_both_ways(system, section, start, options, go_on); });
-  }
-  catch (const internal::Mesh_refused& refused)
-  {
-    return refused.refusal;
-  }
+  return internal::mesh_with_progress<N_space_curve>(progress, [&](auto go_on) {
+    return internal::trace_both_ways(system, section, start, options, go_on);
+  });
 }
 
 } // namespace Shape_interrogation
