@@ -13,6 +13,7 @@
 
 #include <CGAL/Shape_interrogation/Meshing/N_space_mesh.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/Path_tracer.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/curvature_of_curve.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/fault_of_bounds.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/mesh_with_progress.h>
 #include <CGAL/Shape_interrogation/Meshing/progress.h>
@@ -77,6 +78,9 @@ struct N_space_curve_end_data
 struct N_space_curve : N_space_polyline
 {
   std::array<N_space_curve_end_data, 2> ends; //!< at the first and at the last point
+  //! the curvature of the projected curve at each point, evaluated there, not estimated from the
+  //! polyline; none where the curve or its projection is singular
+  std::vector<std::optional<double>> curvatures;
   double max_residual = 0; //!< the largest absolute value of an equation at a point
 };
 
@@ -163,8 +167,11 @@ Result<N_space_curve> trace_both_ways(const N_space_system& system,
     }
   }
   for (const std::vector<double>& p : curve.points)
+  {
+    curve.curvatures.push_back(curvature_of_curve(system, section, p));
     for (double x : system.tape().evaluate(p))
       curve.max_residual = (std::max)(curve.max_residual, std::fabs(x));
+  }
   return curve;
 }
 
@@ -198,8 +205,8 @@ Result<N_space_curve> trace_both_ways(const N_space_system& system,
  * `OUTSIDE_DOMAIN` when the start leads out of the bounds, `RANK_DEFICIENT` when there is no
  * tangent at the start, those of `N_space_corrector` there, `CANCELLED`
  *
- * Complexity: linear in the number of points, each with a few corrections, and with two dense
- * factorisations where branches are looked for
+ * Complexity: linear in the number of points, each with a few corrections, and with dense
+ * factorisations for the curvature and where branches are looked for
  */
 template <class Progress = No_progress>
 Result<N_space_curve> trace_n_space_curve(const N_space_system& system,
