@@ -49,6 +49,9 @@ void store(const si::N_space_curve& curve, const std::vector<std::string>& varia
       json["ends"].back()["box"] = end.box;
   }
   json["max_residual"] = {{"approx", curve.max_residual}, {"certified", false}};
+  json["curvature"] = Report_json::array();
+  for (const std::optional<double>& k : curve.curvatures)
+    json["curvature"].push_back(k ? Report_json(*k) : Report_json(nullptr));
   json["polyline"] = Report_json::array();
   for (std::vector<double> p : curve.points)
     json["polyline"].push_back({p[0] + 0.0, p[1] + 0.0, p[2] + 0.0}); // no -0

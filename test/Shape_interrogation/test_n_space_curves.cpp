@@ -93,6 +93,9 @@ TEST(N_space_curves, Circle_is_closed_whatever_the_equations)
     EXPECT_EQ(curve->ends[1].reason, End::CLOSED);
     expect_steps(*curve, 0.05);
     EXPECT_NEAR(length(*curve), 2 * pi, 0.002);
+    ASSERT_EQ(curve->curvatures.size(), curve->points.size());
+    for (const auto& k : curve->curvatures)
+      EXPECT_NEAR(k.value(), 1, 1e-12);
   }
 }
 
@@ -160,6 +163,9 @@ TEST(N_space_curves, Cusp_ends_a_curve)
   ASSERT_TRUE(cusp) << cusp.refusal().evidence();
   EXPECT_EQ(cusp->ends[1].reason, End::SINGULAR);
   expect_box_contains(cusp->ends[1], {0, 0, 0});
+  const Point& p = cusp->points[0]; // y = x^(3/2)
+  EXPECT_NEAR(cusp->curvatures[0].value(),
+              0.75 / std::sqrt(p[0]) / std::pow(1 + 2.25 * p[0], 1.5), 1e-12);
 }
 
 // The units of an equation, or of space, make no difference.
@@ -232,6 +238,8 @@ TEST(N_space_curves, Section_of_a_surface)
   ASSERT_TRUE(circle);
   EXPECT_TRUE(circle->closed);
   EXPECT_NEAR(length(*circle), 2 * std::acos(-1.), 0.01);
+  for (const auto& curvature : circle->curvatures)
+    EXPECT_NEAR(curvature.value(), 1, 1e-12);
 }
 
 TEST(N_space_curves, Refusals)

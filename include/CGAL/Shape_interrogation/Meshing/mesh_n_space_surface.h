@@ -13,14 +13,12 @@
 
 #include <CGAL/Shape_interrogation/Meshing/N_space_mesh.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/N_space_mesher.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/fault_of_bounds.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/mesh_with_progress.h>
 #include <CGAL/Shape_interrogation/Meshing/progress.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_system.h>
-#include <CGAL/Shape_interrogation/Waist/internal/refuse.h>
-
-#include <CGAL/assertions.h>
 
 #include <cmath>
-#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -29,21 +27,6 @@ namespace Shape_interrogation {
 
 #ifndef DOXYGEN_RUNNING
 namespace internal {
-
-// What is wrong with a list of bounds, or nothing.
-inline std::string fault_of(const std::vector<N_space_bound>& bounds, const N_space_system& system)
-{
-  if (bounds.size() > 32)
-    return "there are more than 32 bounds";
-  for (const N_space_bound& b : bounds)
-  {
-    if (b.variable < 0 || b.variable >= system.number_of_variables())
-      return "there is no variable with the number " + std::to_string(b.variable);
-    if (b.lower >= b.upper)
-      return "the bounds of " + system.variables()[b.variable] + " are empty";
-  }
-  return "";
-}
 
 inline std::string fault_of(const N_space_mesh_options& options, const N_space_system& system)
 {
@@ -114,22 +97,9 @@ Result<N_space_mesh> mesh_n_space_surface(const N_space_system& system,
   const std::string fault = internal::fault_of(options, system);
   if (!fault.empty())
     return Refusal(Refusal_code::LIMIT_EXCEEDED, fault);
-  std::size_t steps = 0;
-  const auto go_on = [&] {
-    if (!progress(++steps, std::size_t(0)))
-      internal::refuse_mesh(Refusal_code::CANCELLED, "the caller asked to stop");
-    return true;
-  };
-  try
-  {
-    return internal::refuse_errors<N_space_mesh>([&]() -> Result<N_space_mesh> {
-      return internal::N_space_mesher<decltype(go_on)>(system, options, go_on)(starts);
-    });
-  }
-  catch (const internal::Mesh_refused& refused)
-  {
-    return refused.refusal;
-  }
+  return internal::mesh_with_progress<N_space_mesh>(progress, [&](auto go_on) {
+    return internal::N_space_mesher<decltype(go_on)>(system, options, go_on)(starts);
+  });
 }
 
 } // namespace Shape_interrogation

@@ -12,9 +12,10 @@
 // Follows the solution curve of a system in n-space, or a section of a surface.
 
 #include <CGAL/Shape_interrogation/Meshing/N_space_mesh.h>
-#include <CGAL/Shape_interrogation/Meshing/internal/Mesh_refused.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/Path_tracer.h>
-#include <CGAL/Shape_interrogation/Meshing/mesh_n_space_surface.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/curvature_of_curve.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/fault_of_bounds.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/mesh_with_progress.h>
 #include <CGAL/Shape_interrogation/Meshing/progress.h>
 #include <CGAL/Shape_interrogation/Waist/internal/refuse.h>
 
@@ -77,6 +78,9 @@ struct N_space_curve_end_data
 struct N_space_curve : N_space_polyline
 {
   std::array<N_space_curve_end_data, 2> ends; //!< at the first and at the last point
+  //! the curvature of the projected curve at each point, evaluated there, not estimated from the
+  //! polyline; none where the curve or its projection is singular
+  std::vector<std::optional<double>> curvatures;
   double max_residual = 0; //!< the largest absolute value of an equation at a point
 };
 
@@ -163,8 +167,11 @@ Result<N_space_curve> trace_both_ways(const N_space_system& system,
     }
   }
   for (const std::vector<double>& p : curve.points)
+  {
+    curve.curvatures.push_back(curvature_of_curve(system, section, p));
     for (double x : system.tape().evaluate(p))
       curve.max_residual = (std::max)(curve.max_residual, std::fabs(x));
+  }
   return curve;
 }
 
@@ -198,8 +205,8 @@ Result<N_space_curve> trace_both_ways(const N_space_system& system,
  * `OUTSIDE_DOMAIN` when the start leads out of the bounds, `RANK_DEFICIENT` when there is no
  * tangent at the start, those of `N_space_corrector` there, `CANCELLED`
  *
- * Complexity: linear in the number of points, each with a few corrections, and with two dense
- * factorisations where branches are looked for
+ * Complexity: linear in the number of points, each with a few corrections, and with dense
+ * factorisations for the curvature and where branches are looked for
  */
 template <class Progress = No_progress>
 Result<N_space_curve> trace_n_space_curve(const N_space_system& system,
@@ -222,21 +229,9 @@ Result<N_space_curve> trace_n_space_curve(const N_space_system& system,
   const std::string fault = internal::fault_of(options.bounds, system);
   if (!fault.empty())
     return Refusal(Refusal_code::LIMIT_EXCEEDED, fault);
-  std::size_t steps = 0;
-  const auto go_on = [&] {
-    if (!progress(++steps, std::size_t(0)))
-      internal::refuse_mesh(Refusal_code::CANCELLED, "the caller asked to stop");
-    return true;
-  };
-  try
-  {
-    return internal::refuse_errors<N_space_curve>(
-      [&] { return internal::trace_both_ways(system, section, start, options, go_on); });
-  }
-  catch (const internal::Mesh_refused& refused)
-  {
-    return refused.refusal;
-  }
+  return internal::mesh_with_progress<N_space_curve>(progress, [&](auto go_on) {
+    return internal::trace_both_ways(system, section, start, options, go_on);
+  });
 }
 
 } // namespace Shape_interrogation
