@@ -21,6 +21,7 @@ import checks
 STANDS_ON = {
     "internal": [],
     "Number_types": ["internal"],
+    "Bernstein": ["Number_types"],
     "Differentiation": ["Number_types"],
     "Waist": ["Differentiation"],
     "Curves": ["Waist"],
@@ -28,6 +29,9 @@ STANDS_ON = {
     "Constraints": ["Surfaces"],
     "Analysis": ["Waist"],
     "Traits": ["Analysis"],
+    "Splines": ["Bernstein", "Curves"],
+    "Contours": ["Bernstein"],
+    "Property_surfaces": ["Splines", "Surfaces", "Analysis"],
     "Meshing": ["Analysis", "Surfaces"],
     "IO": ["Meshing"],
 }

@@ -25,6 +25,7 @@
 #include <CGAL/Shape_interrogation/Number_types/cast_argument.h>
 #include <CGAL/Shape_interrogation/Number_types/number_cast.h>
 #include <CGAL/Shape_interrogation/Number_types/reduced_square_root.h>
+#include <CGAL/Shape_interrogation/Bernstein/Bernstein_polynomial.h>
 #include <CGAL/Shape_interrogation/Differentiation/Expression.h>
 #include <CGAL/Shape_interrogation/Differentiation/Expression_function.h>
 #include <CGAL/Shape_interrogation/Differentiation/Expression_functions.h>

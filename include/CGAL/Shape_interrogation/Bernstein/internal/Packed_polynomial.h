@@ -1,0 +1,110 @@
+// Copyright (c) 2026 The Shape_interrogation authors.
+// All rights reserved.
+//
+// This file is part of Shape_interrogation, a package in the style of CGAL (www.cgal.org).
+//
+// SPDX-License-Identifier: GPL-3.0-or-later
+//
+
+#ifndef CGAL_SHAPE_INTERROGATION_BERNSTEIN_INTERNAL_PACKED_POLYNOMIAL_H
+#define CGAL_SHAPE_INTERROGATION_BERNSTEIN_INTERNAL_PACKED_POLYNOMIAL_H
+
+// Kronecker substitution: a polynomial with integer coefficients as its value at a power of two,
+// so that a product of polynomials is one product of integers.
+
+#include <CGAL/Shape_interrogation/Bernstein/internal/gmp_access.h>
+
+#include <algorithm>
+#include <cstddef>
+#include <vector>
+
+namespace CGAL {
+namespace Shape_interrogation {
+namespace internal {
+
+// The value of a polynomial at 2^(GMP_NUMB_BITS * slot): a sign and its limbs.
+class Packed_polynomial
+{
+public:
+  // Coefficient k goes to the slot `slots[k]`; each must fit `width` limbs with a bit to spare.
+  template <class Integer>
+  Packed_polynomial(const std::vector<Integer>& coefficients, const std::vector<int>& slots,
+                    std::size_t width)
+  {
+    const std::size_t size = (slots.back() + std::size_t(1)) * width;
+    std::vector<mp_limb_t> negative(size, 0);
+    m_limbs.assign(size, 0);
+    for (std::size_t k = 0; k < coefficients.size(); ++k)
+    {
+      mpz_srcptr c = gmp_of(coefficients[k]);
+      mp_limb_t* to = (mpz_sgn(c) < 0 ? negative : m_limbs).data() + slots[k] * width;
+      std::copy_n(mpz_limbs_read(c), mpz_size(c), to);
+    }
+    subtract(negative);
+  }
+
+  // The product.
+  Packed_polynomial(const Packed_polynomial& a, const Packed_polynomial& b)
+    : m_is_negative(a.m_is_negative != b.m_is_negative)
+  {
+    if (a.m_limbs.empty() || b.m_limbs.empty())
+      return;
+    const bool is_longer = a.m_limbs.size() >= b.m_limbs.size();
+    const auto& x = is_longer ? a.m_limbs : b.m_limbs;
+    const auto& y = is_longer ? b.m_limbs : a.m_limbs;
+    m_limbs.resize(x.size() + y.size());
+    if (&a == &b)
+      mpn_sqr(m_limbs.data(), x.data(), x.size());
+    else
+      mpn_mul(m_limbs.data(), x.data(), x.size(), y.data(), y.size());
+  }
+
+  // Reads the coefficients back. What is below a slot borrows from it where it is negative.
+  template <class Integer>
+  void unpack(std::vector<Integer>& coefficients, std::size_t width)
+  {
+    m_limbs.resize((coefficients.size() + 1) * width, 0);
+    mp_limb_t carry = 0;
+    for (std::size_t k = 0; k < coefficients.size(); ++k)
+    {
+      mp_limb_t* slot = m_limbs.data() + k * width;
+      // A carry out of the slot means that it was full and is now zero, one above it.
+      const mp_limb_t overflow = mpn_add_1(slot, slot, width, carry);
+      const bool is_below = slot[width - 1] >> (GMP_NUMB_BITS - 1);
+      if (is_below)
+        mpn_neg(slot, slot, width);
+      carry = overflow | (is_below ? 1 : 0);
+      set(gmp_of(coefficients[k]), slot, width, is_below != m_is_negative);
+    }
+  }
+
+private:
+  void subtract(const std::vector<mp_limb_t>& negative)
+  {
+    m_is_negative = mpn_cmp(m_limbs.data(), negative.data(), m_limbs.size()) < 0;
+    if (m_is_negative)
+      mpn_sub_n(m_limbs.data(), negative.data(), m_limbs.data(), m_limbs.size());
+    else
+      mpn_sub_n(m_limbs.data(), m_limbs.data(), negative.data(), m_limbs.size());
+    while (!m_limbs.empty() && m_limbs.back() == 0)
+      m_limbs.pop_back();
+  }
+
+  static void set(mpz_ptr z, const mp_limb_t* limbs, std::size_t size, bool is_negative)
+  {
+    while (size > 0 && limbs[size - 1] == 0)
+      --size;
+    std::copy_n(limbs, size, mpz_limbs_write(z, std::max<std::size_t>(size, 1)));
+    const mp_size_t signed_size = static_cast<mp_size_t>(size);
+    mpz_limbs_finish(z, is_negative ? -signed_size : signed_size);
+  }
+
+  std::vector<mp_limb_t> m_limbs;
+  bool m_is_negative = false;
+};
+
+} // namespace internal
+} // namespace Shape_interrogation
+} // namespace CGAL
+
+#endif // CGAL_SHAPE_INTERROGATION_BERNSTEIN_INTERNAL_PACKED_POLYNOMIAL_H
