@@ -30,7 +30,7 @@ STANDS_ON = {
     "Analysis": ["Waist"],
     "Traits": ["Analysis"],
     "Splines": ["Bernstein", "Curves"],
-    "Contours": ["Bernstein"],
+    "Contours": ["Bernstein", "Waist"],
     "Property_surfaces": ["Splines", "Surfaces", "Analysis"],
     "Meshing": ["Analysis", "Surfaces"],
     "IO": ["Meshing"],

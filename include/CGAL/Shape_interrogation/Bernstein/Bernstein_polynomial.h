@@ -210,7 +210,14 @@ public:
    */
   Bernstein_polynomial restricted(int axis, const NT& a, const NT& b) const
   {
-    const auto rows = internal::restriction_matrix(m_degree[axis], a, b);
+    return restricted_homogeneous(axis, a, b, NT(1));
+  }
+
+  //! returns the part over \f$ [a/w, b/w] \f$ times \f$ w^m \f$, for a ring. \pre `w` is not zero
+  Bernstein_polynomial restricted_homogeneous(int axis, const NT& a, const NT& b,
+                                              const NT& w) const
+  {
+    const auto rows = internal::restriction_matrix(m_degree[axis], a, b, w);
     return with_lines(axis, m_degree[axis], [&](auto from, auto to) {
       for (std::size_t i = 0; i < rows.size(); ++i)
         for (std::size_t k = 0; k < rows.size(); ++k)
@@ -222,7 +229,14 @@ public:
   //! \pre `d` is at least 2
   Bernstein_polynomial<NT, d - 1> fixed(int axis, const NT& x) const
   {
-    const auto powers = internal::homogeneous_powers(m_degree[axis], x, NT(NT(1) - x));
+    return fixed_homogeneous(axis, x, NT(1) - x);
+  }
+
+  //! returns the same for the value \f$ x / (x + \bar x) \f$ times \f$ (x + \bar x)^m \f$, for a ring.
+  Bernstein_polynomial<NT, d - 1> fixed_homogeneous(int axis, const NT& x,
+                                                    const NT& complement) const
+  {
+    const auto powers = internal::homogeneous_powers(m_degree[axis], x, complement);
     Bernstein_polynomial<NT, d - 1> p;
     p.m_scaled = internal::change_lines(
       m_scaled, internal::axis_layout(m_degree, axis), 1, [&](auto from, auto to) {

@@ -15,7 +15,7 @@
 #include <CGAL/Shape_interrogation/Meshing/Implicit_mesh_options.h>
 #include <CGAL/Shape_interrogation/Meshing/Shape_mesh.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/Implicit_mesher.h>
-#include <CGAL/Shape_interrogation/Meshing/progress.h>
+#include <CGAL/Shape_interrogation/Waist/progress.h>
 
 #include <CGAL/Bbox_3.h>
 #include <CGAL/assertions.h>

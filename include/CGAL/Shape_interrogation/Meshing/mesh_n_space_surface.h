@@ -15,7 +15,7 @@
 #include <CGAL/Shape_interrogation/Meshing/internal/N_space_mesher.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/fault_of_bounds.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/mesh_with_progress.h>
-#include <CGAL/Shape_interrogation/Meshing/progress.h>
+#include <CGAL/Shape_interrogation/Waist/progress.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_system.h>
 
 #include <cmath>

@@ -15,7 +15,7 @@
 #include <CGAL/Shape_interrogation/Meshing/Patch_mesh_options.h>
 #include <CGAL/Shape_interrogation/Meshing/Shape_mesh.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/Patch_mesher.h>
-#include <CGAL/Shape_interrogation/Meshing/progress.h>
+#include <CGAL/Shape_interrogation/Waist/progress.h>
 
 #include <vector>
 

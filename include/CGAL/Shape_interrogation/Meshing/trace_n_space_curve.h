@@ -16,7 +16,7 @@
 #include <CGAL/Shape_interrogation/Meshing/internal/curvature_of_curve.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/fault_of_bounds.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/mesh_with_progress.h>
-#include <CGAL/Shape_interrogation/Meshing/progress.h>
+#include <CGAL/Shape_interrogation/Waist/progress.h>
 #include <CGAL/Shape_interrogation/Waist/internal/refuse.h>
 
 #include <algorithm>

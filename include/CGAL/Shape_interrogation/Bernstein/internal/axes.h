@@ -104,13 +104,12 @@ std::vector<T> homogeneous_powers(int n, const T& s, const T& w)
   return powers;
 }
 
-// Row i holds the scaled coefficients of u^i (1 - u)^(n - i) for u = a (1 - x) + b x.
+// Row i holds the scaled coefficients of w^n u^i (1 - u)^(n - i) for w u = a (1 - x) + b x.
 template <class NT>
-std::vector<std::vector<NT>> restriction_matrix(int n, const NT& a, const NT& b)
+std::vector<std::vector<NT>> restriction_matrix(int n, const NT& a, const NT& b, const NT& w)
 {
-  const NT one(1);
-  const NT c = one - a, e = one - b;
-  std::vector<std::vector<NT>> u{{one}}, w{{one}};
+  const NT one(1), c = w - a, e = w - b;
+  std::vector<std::vector<NT>> u{{one}}, v{{one}};
   const auto times = [](const std::vector<NT>& p, const NT& low, const NT& high) {
     std::vector<NT> q(p.size() + 1, NT(0));
     for (std::size_t i = 0; i < p.size(); ++i)
@@ -123,12 +122,12 @@ std::vector<std::vector<NT>> restriction_matrix(int n, const NT& a, const NT& b)
   for (int i = 0; i < n; ++i)
   {
     u.push_back(times(u.back(), a, b));
-    w.push_back(times(w.back(), c, e));
+    v.push_back(times(v.back(), c, e));
   }
   std::vector<std::vector<NT>> rows;
   for (int i = 0; i <= n; ++i)
     rows.push_back(
-      multiply_arrays(std::array<int, 1>{i}, u[i], std::array<int, 1>{n - i}, w[n - i]));
+      multiply_arrays(std::array<int, 1>{i}, u[i], std::array<int, 1>{n - i}, v[n - i]));
   return rows;
 }
 

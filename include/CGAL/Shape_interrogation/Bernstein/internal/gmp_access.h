@@ -50,6 +50,12 @@ struct Has_gmp<Integer, std::void_t<decltype(gmp(std::declval<Integer&>(), Gmp_c
 {};
 
 template <class Integer>
+auto gmp(const Integer& z, Any_integer) -> decltype(mpz_srcptr(z.mpz()))
+{
+  return z.mpz();
+}
+
+template <class Integer>
 mpz_srcptr gmp_of(const Integer& z)
 {
   return gmp(z, Gmp_class());

@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 
-#ifndef CGAL_SHAPE_INTERROGATION_MESHING_PROGRESS_H
-#define CGAL_SHAPE_INTERROGATION_MESHING_PROGRESS_H
+#ifndef CGAL_SHAPE_INTERROGATION_WAIST_PROGRESS_H
+#define CGAL_SHAPE_INTERROGATION_WAIST_PROGRESS_H
 
 // Progress of long computations, and how a caller stops them.
 
@@ -17,7 +17,7 @@ namespace CGAL {
 namespace Shape_interrogation {
 
 /*!
- * \ingroup PkgShapeInterrogationMeshing
+ * \ingroup PkgShapeInterrogationWaist
  * \brief is the progress callback that ignores progress and never stops a computation.
  *
  * A progress callback is called often with the number of steps done and of all steps; the latter is
@@ -33,4 +33,4 @@ struct No_progress
 } // namespace Shape_interrogation
 } // namespace CGAL
 
-#endif // CGAL_SHAPE_INTERROGATION_MESHING_PROGRESS_H
+#endif // CGAL_SHAPE_INTERROGATION_WAIST_PROGRESS_H
