@@ -21,7 +21,9 @@
 #include <CGAL/Exact_integer.h>
 #include <CGAL/Exact_rational.h>
 
+#include <array>
 #include <cstddef>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -94,7 +96,24 @@ inline bool trace(const Exact_function& f, std::vector<Contour_cell>& cells, dou
 
 /*!
  * \ingroup PkgShapeInterrogationContours
- * \brief computes the zero set of `f` on the unit square.
+ * \brief computes the zero set of `f` on the unit square with certified topology.
+ *
+ * Powers of \f$ u, 1-u, v, 1-v \f$ are divided out and reported as edges, of multiple factors one is
+ * kept. The square is cut into cells until each has no point of the curve or a partial derivative
+ * without zero: there the curve is a graph, known from its crossings with the edges of the cell. All
+ * signs are certified: in floating point with a running bound of the error, exactly where that is
+ * not enough. Cells are cut down to a width of \f$ 2^{-43} \f$; those that remain are at a singular
+ * point, or parts of the curve are closer than that, and are reported as unresolved.
+ *
+ * \param f the polynomial; with positive degree in a variable or not
+ * \param options the step and the limit of the effort
+ * \param progress the progress callback, see `No_progress`
+ *
+ * \return the zero set; it is refused only when the callback stops it (`CANCELLED`)
+ *
+ * The result depends on the input only. Complexity: a cell costs \f$ O(m n (m + n)) \f$ operations in
+ * floating point; their number is proportional to the length of the curve over the distance to other
+ * parts of it, and \f$ O(\log) \f$ of the distance to a simple singular point.
  */
 template <class Progress = No_progress>
 Result<Contour_2> contour(const Bernstein_polynomial_2<Exact_integer>& f,
@@ -110,8 +129,9 @@ Result<Contour_2> contour(const Bernstein_polynomial_2<Exact_integer>& f,
   const internal::Exact_function part(internal::square_free_part(multiple.polynomial()));
   const bool is_square_free = part.polynomial().degree() == multiple.polynomial().degree();
   const internal::Exact_function& function = is_square_free ? multiple : part;
-  constexpr double first_cuts[] = {125. / 256, 131. / 256, 117. / 256, 141. / 256};
-  for (double first_cut : first_cuts)
+  constexpr std::array<double, 2> first_cuts[] = {
+    {125. / 256, 119. / 256}, {131. / 256, 121. / 256}, {117. / 256, 143. / 256}};
+  for (const auto& first_cut : first_cuts)
   {
     auto partition = internal::Cell_partitioner(
       function, multiple, first_cut, options.max_cells,
@@ -119,13 +139,29 @@ Result<Contour_2> contour(const Bernstein_polynomial_2<Exact_integer>& f,
     if (partition.is_cancelled)
       return Refusal(Refusal_code::CANCELLED, "the contour was cancelled");
     if (!internal::trace(function, partition.cells, options.step,
-                         first_cut == first_cuts[3], contour))
+                         &first_cut == std::end(first_cuts) - 1, contour))
       continue;
     contour.positive_area = partition.positive_area;
     contour.negative_area = partition.negative_area;
     break;
   }
   return contour;
+}
+
+/*!
+ * \ingroup PkgShapeInterrogationContours
+ * \brief computes the zero set of a polynomial with rational coefficients, by clearing their
+ * denominators.
+ */
+template <class Progress = No_progress>
+Result<Contour_2> contour(const Bernstein_polynomial_2<Exact_rational>& f,
+                          const Contour_options& options = {}, Progress progress = Progress())
+{
+  typename Fraction_traits<Exact_rational>::Denominator_type denominator;
+  return contour(
+    Bernstein_polynomial_2<Exact_integer>::from_scaled_coefficients(
+      f.degree(), internal::clear_denominators(f.scaled_coefficients(), denominator)),
+    options, progress);
 }
 
 } // namespace Shape_interrogation

@@ -142,6 +142,9 @@ private:
   bool read_end()
   {
     const std::array<int, 2> at{corner(1, 0), corner(1, 1)};
+    for (int edge = 0; edge < 2; ++edge)
+      if (at[edge] != 0 && at[edge] != m_sign[edge])
+        return false;
     const bool is_there = at[0] <= 0 && at[1] >= 0;
     const int vertex = is_there ? end_vertex(1) : -1;
     if (m_start >= 0)

@@ -47,8 +47,8 @@ public:
     : m_f(f), m_crossings(f), m_cells(cells), m_hits(cells.size()), m_corners(cells.size())
   {}
 
-  // Finds everything. What remains are the cells on whose edges something is degenerate: another
-  // partition is needed.
+  // Finds everything. What remains are resolved cells on whose edges something is degenerate:
+  // another partition is needed.
   std::vector<int> operator()()
   {
     for (std::size_t i = 0; i < m_cells.size(); ++i)
@@ -102,7 +102,7 @@ private:
         sign = c.f.sign_at_corner(i, j);
         if (sign == ZERO)
           sign = m_f.sign_at(u, v);
-        if (sign == ZERO && !(is_end(u) && is_end(v)))
+        if (sign == ZERO && !(is_end(u) && is_end(v)) && c.is_resolved())
           m_degenerate.push_back(cell);
       }
   }
@@ -160,7 +160,7 @@ private:
     for (const Crossing& c : *crossings)
     {
       if (c.multiplicity != 1)
-        m_degenerate.insert(m_degenerate.end(), {below, above});
+        m_degenerate.push_back(has_below ? below : above);
       const int vertex = add(segment, c);
       if (has_below)
         m_hits[below][2 * segment.axis + 1].push_back({vertex, segment, c});

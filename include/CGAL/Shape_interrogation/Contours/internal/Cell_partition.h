@@ -46,11 +46,12 @@ struct Cell_partition
 class Cell_partitioner
 {
 public:
-  // The first cut of a variable is at `first_cut`, the others are halvings: lines at simple numbers
-  // touch the curves of simple examples.
+  // The first cut of each variable is at `first_cut`, the others are halvings: lines at simple
+  // numbers touch the curves of simple examples, and diagonals meet equal ones at corners.
   // Areas are counted by the sign of `multiple`, which has the same zero set.
-  Cell_partitioner(const Exact_function& f, const Exact_function& multiple, double first_cut,
-                   std::size_t max_cells, std::function<bool(std::size_t)> go_on)
+  Cell_partitioner(const Exact_function& f, const Exact_function& multiple,
+                   const std::array<double, 2>& first_cut, std::size_t max_cells,
+                   std::function<bool(std::size_t)> go_on)
     : m_f(f), m_multiple(multiple), m_first_cut(first_cut), m_max_cells(max_cells),
       m_go_on(std::move(go_on))
   {}
@@ -126,7 +127,7 @@ private:
   void cut(const Contour_cell& cell)
   {
     const int axis = cell.over;
-    const double t = cell.box.width(axis) == 1 ? m_first_cut : 0.5;
+    const double t = cell.box.width(axis) == 1 ? m_first_cut[axis] : 0.5;
     auto parts = cell.f.split(axis, t);
     std::array<Cell_box, 2> boxes{cell.box, cell.box};
     const double middle = cell.box.low[axis] + t * cell.box.width(axis);
@@ -137,7 +138,7 @@ private:
 
   const Exact_function& m_f;
   const Exact_function& m_multiple;
-  double m_first_cut;
+  std::array<double, 2> m_first_cut;
   std::size_t m_max_cells;
   std::function<bool(std::size_t)> m_go_on;
   Cell_partition m_partition;
