@@ -100,6 +100,9 @@
 #include <CGAL/Shape_interrogation/Analysis/shape_from_normal_curvatures.h>
 #include <CGAL/Shape_interrogation/Analysis/three_tangents.h>
 #include <CGAL/Shape_interrogation/Analysis/umbilics.h>
+#include <CGAL/Shape_interrogation/Property_surfaces/Property.h>
+#include <CGAL/Shape_interrogation/Property_surfaces/Property_surface.h>
+#include <CGAL/Shape_interrogation/Property_surfaces/Property_surface_maker.h>
 #include <CGAL/Shape_interrogation/Traits/Interrogation_3.h>
 #include <CGAL/Shape_interrogation/Traits/Shape_traits_3.h>
 #include <CGAL/Shape_interrogation/Traits/questions.h>
