@@ -107,6 +107,7 @@
 #include <CGAL/Shape_interrogation/Property_surfaces/Property.h>
 #include <CGAL/Shape_interrogation/Property_surfaces/Property_surface.h>
 #include <CGAL/Shape_interrogation/Property_surfaces/Property_surface_maker.h>
+#include <CGAL/Shape_interrogation/Property_surfaces/patch_of_expressions.h>
 #include <CGAL/Shape_interrogation/Property_surfaces/property_bounds.h>
 #include <CGAL/Shape_interrogation/Traits/Interrogation_3.h>
 #include <CGAL/Shape_interrogation/Traits/Shape_traits_3.h>

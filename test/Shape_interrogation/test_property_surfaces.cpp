@@ -15,7 +15,11 @@
 #include <CGAL/Shape_interrogation/Analysis/curvatures.h>
 #include <CGAL/Shape_interrogation/Analysis/normal_curvature.h>
 #include <CGAL/Shape_interrogation/Number_types/Quadratic_field.h>
+#include <CGAL/Shape_interrogation/Differentiation/Expression_function.h>
+#include <CGAL/Shape_interrogation/Differentiation/Expression_functions.h>
 #include <CGAL/Shape_interrogation/Property_surfaces/Property_surface_maker.h>
+#include <CGAL/Shape_interrogation/Property_surfaces/patch_of_expressions.h>
+#include <CGAL/Shape_interrogation/Surfaces/Parametric_surface_3.h>
 
 #include <gtest/gtest.h>
 
@@ -382,6 +386,50 @@ TEST(Property_surface, has_no_value_where_the_surface_is_not_regular)
   EXPECT_EQ(2.25, speed.enclosure(collapsed)->sup());
   EXPECT_EQ(Q(0), *property_surface(Bezier_surface_3<Q>(1, 1, std::vector<Point>(4, p[0])),
                                     Property::SPEED_SUPREMUM).value(collapsed));
+}
+
+// Over a rectangle that is not the unit square, with different denominators.
+TEST(Patch_of_expressions, is_the_same_surface)
+{
+  const Expression s = Expression::variable(0), t = Expression::variable(1);
+  const std::vector<std::vector<Expression>> surfaces{
+    {s * s - t, (s + 1) * t * fraction(2, 7), pow(s - t, 3)},
+    {2 * s / (1 + s * s + t * t), 2 * t / (1 + s * s + t * t), 1 - 2 / (1 + s * s + t * t)},
+    {s / (t + 5), 1 / (s + 9), t}};
+  const Parameters range_s{fraction(-1, 2), Q(3)}, range_t{Q(-2), fraction(1, 3)};
+  for (const auto& x : surfaces)
+  {
+    const auto pieces = patch_of_expressions(x, range_s, range_t);
+    ASSERT_TRUE(pieces) << pieces.refusal().evidence();
+    ASSERT_EQ(1u, pieces->size());
+    const Surface_piece_3<Q>& piece = pieces->front();
+    const Parametric_surface_3<Expression_function<2, 3>> surface{Expression_function<2, 3>(x)};
+    Property_surface_maker<Q> maker(piece);
+    for (Property property : all_properties())
+    {
+      const Property_surface_piece<Q> p{maker(property), piece.u, piece.v};
+      const Parameters at{fraction(3, 5), fraction(-7, 9)};
+      if (property == Property::SPEED_SUPREMUM)
+        check_supremum(surface.derivatives(at), *property_at(surface.derivatives(at), property)
+                                                   .enclosure({Q(0), Q(0)}));
+      else
+        EXPECT_EQ(*property_value(surface.derivatives(at), property), *p.value(at))
+          << to_string(property);
+    }
+  }
+}
+
+TEST(Patch_of_expressions, is_refused_where_there_is_none)
+{
+  const Expression s = Expression::variable(0), t = Expression::variable(1);
+  const Parameters unit{Q(0), Q(1)};
+  const auto patch = [&](const Expression& x) {
+    return patch_of_expressions({x, s, t}, unit, unit);
+  };
+  expect_refusal(Refusal_code::NOT_ALGEBRAIC, patch(sin(s)));
+  expect_refusal(Refusal_code::LIMIT_EXCEEDED, patch(pow(s, 300)));
+  EXPECT_TRUE(patch(1 / s)); // a pole at an edge
+  EXPECT_FALSE(patch(s * t)->front().patch.is_rational());
 }
 
 } // namespace

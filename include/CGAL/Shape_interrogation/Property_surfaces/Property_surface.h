@@ -93,7 +93,7 @@ public:
   }
 
   //! returns an enclosure of the value at a point of the unit square, refused where the denominator
-  //! vanishes. \pre `NT` is exact
+  //! vanishes. For an `NT` that is neither exact nor an enclosure it encloses what `NT` found.
   Result<CGAL::Interval_nt<true>> enclosure(const Parameters& uv) const
   {
     using Interval = CGAL::Interval_nt<true>;
@@ -104,7 +104,7 @@ public:
     if (!m_radicand)
       return x;
     const NT square = (*m_radicand)(uv) / (q * q); // q is positive where there is a radicand
-    return Interval(x + CGAL::sqrt(number_cast<Interval>(square)));
+    return Interval(x + CGAL::sqrt(internal::nonnegative_part(number_cast<Interval>(square))));
   }
 
 private:

@@ -166,22 +166,31 @@ std::vector<Property_surface_piece<NT>> property_surface(const Nurbs_surface_3<N
 
 /*!
  * \ingroup PkgShapeInterrogationPropertySurfaces
- * \brief returns a property of any parametrised surface at a point with the given derivatives.
- *
- * Refused where the property has no value (`IRREGULAR_PARAMETRISATION`), and, for
- * `SPEED_SUPREMUM`, where it needs a root (`NOT_ALGEBRAIC`).
+ * \brief returns a property of any parametrised surface at a point with the given derivatives, as a
+ * constant function: with its numerator, its denominator, and the radicand if it has one.
  */
 template <class NT>
-Result<NT> property_value(const Surface_derivatives_3<NT>& d, Property property,
-                          const Property_inputs<NT>& inputs = {})
+Property_surface<NT> property_at(const Surface_derivatives_3<NT>& d, Property property,
+                                 const Property_inputs<NT>& inputs = {})
 {
   internal::Surface_forms<NT> forms({d.s, d.u, d.v, d.uu, d.uv, d.vv});
   const internal::Property_terms<NT> t = internal::property_terms(forms, property, inputs);
   std::optional<Bernstein_polynomial_2<NT>> radicand;
   if (t.radicand)
     radicand = *t.radicand;
-  return Property_surface<NT>(property, t.numerator, t.denominator, std::move(radicand))
-    .value({NT(0), NT(0)});
+  return Property_surface<NT>(property, t.numerator, t.denominator, std::move(radicand));
+}
+
+/*!
+ * \ingroup PkgShapeInterrogationPropertySurfaces
+ * \brief returns the value of a property of any parametrised surface at a point with the given
+ * derivatives. The refusals are those of `Property_surface::value()`.
+ */
+template <class NT>
+Result<NT> property_value(const Surface_derivatives_3<NT>& d, Property property,
+                          const Property_inputs<NT>& inputs = {})
+{
+  return property_at(d, property, inputs).value({NT(0), NT(0)});
 }
 
 } // namespace Shape_interrogation

@@ -151,21 +151,18 @@ private:
   {
     m_has_root = box.arrays.size() == 4;
     box.upper = bound(box, 0, 1);
-    if (m_has_root && m_sign_of_root > 0)
-      box.upper = (Interval(box.upper) + root((std::max)(0.0, bound(box, 1, 1)))).sup();
-    else if (m_has_root)
-      box.upper = (Interval(box.upper) - root((std::max)(0.0, -bound(box, 1, -1)))).sup();
+    if (m_has_root)
+    {
+      const Interval square((std::max)(0.0, m_sign_of_root * bound(box, 1, m_sign_of_root)));
+      const Interval root = std::isfinite(square.sup()) ? CGAL::sqrt(square) : square;
+      box.upper = (Interval(box.upper) + Interval(m_sign_of_root) * root).sup();
+    }
     box.upper = std::isnan(box.upper) ? m_known_bound : (std::min)(box.upper, m_known_bound);
     look_at_corners(box);
     if (m_best && box.upper <= m_best->value.inf())
       return;
     m_boxes.push_back(std::move(box));
     std::push_heap(m_boxes.begin(), m_boxes.end());
-  }
-
-  static Interval root(double square)
-  {
-    return std::isfinite(square) ? CGAL::sqrt(Interval(square)) : Interval(square);
   }
 
   Box pop()
