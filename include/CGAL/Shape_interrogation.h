@@ -26,6 +26,9 @@
 #include <CGAL/Shape_interrogation/Number_types/number_cast.h>
 #include <CGAL/Shape_interrogation/Number_types/reduced_square_root.h>
 #include <CGAL/Shape_interrogation/Bernstein/Bernstein_polynomial.h>
+#include <CGAL/Shape_interrogation/Bernstein/Certified_extreme.h>
+#include <CGAL/Shape_interrogation/Bernstein/bounds.h>
+#include <CGAL/Shape_interrogation/Bernstein/decide_nonnegative.h>
 #include <CGAL/Shape_interrogation/Differentiation/Expression.h>
 #include <CGAL/Shape_interrogation/Differentiation/Expression_function.h>
 #include <CGAL/Shape_interrogation/Differentiation/Expression_functions.h>
@@ -100,6 +103,12 @@
 #include <CGAL/Shape_interrogation/Analysis/shape_from_normal_curvatures.h>
 #include <CGAL/Shape_interrogation/Analysis/three_tangents.h>
 #include <CGAL/Shape_interrogation/Analysis/umbilics.h>
+#include <CGAL/Shape_interrogation/Property_surfaces/Bound_verdict.h>
+#include <CGAL/Shape_interrogation/Property_surfaces/Property.h>
+#include <CGAL/Shape_interrogation/Property_surfaces/Property_surface.h>
+#include <CGAL/Shape_interrogation/Property_surfaces/Property_surface_maker.h>
+#include <CGAL/Shape_interrogation/Property_surfaces/patch_of_expressions.h>
+#include <CGAL/Shape_interrogation/Property_surfaces/property_bounds.h>
 #include <CGAL/Shape_interrogation/Traits/Interrogation_3.h>
 #include <CGAL/Shape_interrogation/Traits/Shape_traits_3.h>
 #include <CGAL/Shape_interrogation/Traits/questions.h>

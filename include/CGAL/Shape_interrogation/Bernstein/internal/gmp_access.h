@@ -66,6 +66,32 @@ mpz_ptr gmp_of(Integer& z)
   return gmp(z, Gmp_class());
 }
 
+// The same for fractions.
+template <class Fraction>
+auto gmp_fraction(Fraction& x, Gmp_class) -> decltype(x.get_mpq_t())
+{
+  return x.get_mpq_t();
+}
+template <class Fraction>
+auto gmp_fraction(Fraction& x, Any_integer) -> decltype(mpq_ptr(x.backend().data()))
+{
+  return x.backend().data();
+}
+
+template <class Fraction, class = void>
+struct Has_gmp_fraction : std::false_type {};
+template <class Fraction>
+struct Has_gmp_fraction<Fraction,
+                        std::void_t<decltype(gmp_fraction(std::declval<Fraction&>(), Gmp_class()))>>
+  : std::true_type
+{};
+
+template <class Fraction>
+mpq_ptr gmp_fraction_of(Fraction& x)
+{
+  return gmp_fraction(x, Gmp_class());
+}
+
 } // namespace internal
 } // namespace Shape_interrogation
 } // namespace CGAL

@@ -117,7 +117,10 @@ auto clear_denominators(const std::vector<NT>& numbers,
   {
     decompose(numbers[i], numerators[i], denominators[i]);
     if (denominators[i] != denominator)
-      denominator = denominator / typename Traits::Common_factor()(denominator, denominators[i]) * denominators[i];
+    {
+      const auto common = typename Traits::Common_factor()(denominator, denominators[i]);
+      denominator = denominator / common * denominators[i];
+    }
   }
   for (std::size_t i = 0; i < numbers.size(); ++i)
     if (denominators[i] != denominator)
