@@ -14,6 +14,7 @@
 
 #include <CGAL/Shape_interrogation/Contours/Contour_2.h>
 #include <CGAL/Shape_interrogation/Contours/internal/Contour_chains.h>
+#include <CGAL/Shape_interrogation/Contours/internal/common_edges.h>
 #include <CGAL/Shape_interrogation/Contours/internal/square_free_part.h>
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>
 #include <CGAL/Shape_interrogation/Waist/progress.h>
@@ -21,6 +22,7 @@
 #include <CGAL/Exact_integer.h>
 #include <CGAL/Exact_rational.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <iterator>
@@ -31,39 +33,6 @@ namespace CGAL {
 namespace Shape_interrogation {
 
 namespace internal {
-
-// Divides by the highest powers of u, 1 - u, v, 1 - v, and names the edges where they vanish.
-inline Integer_polynomial_2 without_edges(const Integer_polynomial_2& f,
-                                          std::vector<Contour_edge_2>& edges)
-{
-  std::array<int, 2> first, last;
-  const auto is_zero_line = [&](int axis, int i) {
-    for (int j = 0; j <= f.degree()[1 - axis]; ++j)
-      if (!CGAL::is_zero(f.scaled_coefficient(axis == 0 ? std::array<int, 2>{i, j}
-                                                        : std::array<int, 2>{j, i})))
-        return false;
-    return true;
-  };
-  for (int axis = 0; axis < 2; ++axis)
-  {
-    first[axis] = 0;
-    last[axis] = f.degree()[axis];
-    while (is_zero_line(axis, first[axis]))
-      ++first[axis];
-    while (is_zero_line(axis, last[axis]))
-      --last[axis];
-    if (first[axis] > 0)
-      edges.push_back({axis, 0, first[axis]});
-    if (last[axis] < f.degree()[axis])
-      edges.push_back({axis, 1, f.degree()[axis] - last[axis]});
-  }
-  std::vector<Exact_integer> scaled;
-  for (int i = first[0]; i <= last[0]; ++i)
-    for (int j = first[1]; j <= last[1]; ++j)
-      scaled.push_back(f.scaled_coefficient({i, j}));
-  return Integer_polynomial_2::from_scaled_coefficients(
-    {last[0] - first[0], last[1] - first[1]}, std::move(scaled));
-}
 
 // Traces the zero set in a partition; false where another partition is needed. In the last attempt
 // the cells where it is are given up.
@@ -90,6 +59,31 @@ inline bool trace(const Exact_function& f, std::vector<Contour_cell>& cells, dou
     for (int cell : degenerate)
       cells[cell].slope = ZERO;
   }
+}
+
+// Adds the zero set of `f` to the contour, with the areas for `multiple`, which has the same one.
+template <class Progress>
+Result<Contour_2> contour_of_part(const Exact_function& f, const Exact_function& multiple,
+                                  const Contour_options& options, Contour_2 contour,
+                                  Progress& progress)
+{
+  constexpr std::array<double, 2> first_cuts[] = {
+    {125. / 256, 119. / 256}, {131. / 256, 121. / 256}, {117. / 256, 143. / 256}};
+  for (const auto& first_cut : first_cuts)
+  {
+    auto partition =
+      Cell_partitioner(f, multiple, first_cut, options.max_cells, [&](std::size_t steps) {
+        return progress(steps, std::size_t(0));
+      })();
+    if (partition.is_cancelled)
+      return Refusal(Refusal_code::CANCELLED, "the contour was cancelled");
+    if (!trace(f, partition.cells, options.step, &first_cut == std::end(first_cuts) - 1, contour))
+      continue;
+    contour.positive_area = partition.positive_area;
+    contour.negative_area = partition.negative_area;
+    break;
+  }
+  return contour;
 }
 
 } // namespace internal
@@ -125,27 +119,20 @@ Result<Contour_2> contour(const Bernstein_polynomial_2<Exact_integer>& f,
     contour.is_everything = true;
     return contour;
   }
-  const internal::Exact_function multiple(internal::without_edges(f, contour.edges));
+  std::vector<internal::Integer_polynomial_2> inside{f};
+  internal::divide_by_common_edges(inside, contour.edges);
+  const internal::Exact_function multiple(inside.front());
+  if (internal::is_proved_square_free(multiple.polynomial()))
+    return internal::contour_of_part(multiple, multiple, options, contour, progress);
+  // A multiple factor is found at some expense, and perhaps has no zero in the square.
+  Contour_options few = options;
+  few.max_cells = (std::min)(options.max_cells, std::size_t(2000));
+  const Result<Contour_2> first =
+    internal::contour_of_part(multiple, multiple, few, contour, progress);
+  if (!first || first->has_certified_topology())
+    return first;
   const internal::Exact_function part(internal::square_free_part(multiple.polynomial()));
-  const bool is_square_free = part.polynomial().degree() == multiple.polynomial().degree();
-  const internal::Exact_function& function = is_square_free ? multiple : part;
-  constexpr std::array<double, 2> first_cuts[] = {
-    {125. / 256, 119. / 256}, {131. / 256, 121. / 256}, {117. / 256, 143. / 256}};
-  for (const auto& first_cut : first_cuts)
-  {
-    auto partition = internal::Cell_partitioner(
-      function, multiple, first_cut, options.max_cells,
-      [&](std::size_t steps) { return progress(steps, std::size_t(0)); })();
-    if (partition.is_cancelled)
-      return Refusal(Refusal_code::CANCELLED, "the contour was cancelled");
-    if (!internal::trace(function, partition.cells, options.step,
-                         &first_cut == std::end(first_cuts) - 1, contour))
-      continue;
-    contour.positive_area = partition.positive_area;
-    contour.negative_area = partition.negative_area;
-    break;
-  }
-  return contour;
+  return internal::contour_of_part(part, multiple, options, contour, progress);
 }
 
 /*!
@@ -157,11 +144,7 @@ template <class Progress = No_progress>
 Result<Contour_2> contour(const Bernstein_polynomial_2<Exact_rational>& f,
                           const Contour_options& options = {}, Progress progress = Progress())
 {
-  typename Fraction_traits<Exact_rational>::Denominator_type denominator;
-  return contour(
-    Bernstein_polynomial_2<Exact_integer>::from_scaled_coefficients(
-      f.degree(), internal::clear_denominators(f.scaled_coefficients(), denominator)),
-    options, progress);
+  return contour(internal::in_integers(f), options, progress);
 }
 
 } // namespace Shape_interrogation

@@ -88,6 +88,14 @@ public:
   //! pole, and nowhere else.
   Polynomial normal_squared() { return internal::result_polynomial(m_forms.normal_squared()); }
 
+  //! returns the components of \f$ W^3 S_u \times S_v \f$.
+  std::array<Polynomial, 3> normal()
+  {
+    const Vector& n = m_forms.normal();
+    return {internal::result_polynomial(n[0]), internal::result_polynomial(n[1]),
+            internal::result_polynomial(n[2])};
+  }
+
 private:
   static internal::Surface_forms<R> forms(const Surface_piece_3<NT>& piece)
   {

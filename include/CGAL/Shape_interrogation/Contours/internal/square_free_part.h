@@ -120,13 +120,17 @@ inline bool is_square_free_in(const Bernstein_polynomial_2<Exact_integer>& f, in
   return false;
 }
 
+// Whether no factor is multiple; false also where the images do not show it.
+inline bool is_proved_square_free(const Bernstein_polynomial_2<Exact_integer>& f)
+{
+  return is_square_free_in(f, 0) && is_square_free_in(f, 1);
+}
+
 // The scaled coefficients are those of powers of u / (1 - u) and v / (1 - v), in which factors are
 // those of the polynomial, but for powers of 1 - u and 1 - v. \pre f has no such factor
 inline Bernstein_polynomial_2<Exact_integer> square_free_part(
   const Bernstein_polynomial_2<Exact_integer>& f)
 {
-  if (is_square_free_in(f, 0) && is_square_free_in(f, 1))
-    return f;
   using Polynomial_1 = CGAL::Polynomial<Exact_integer>;
   using Polynomial_2 = CGAL::Polynomial<Polynomial_1>;
   const auto& c = f.scaled_coefficients();
