@@ -177,7 +177,9 @@ TEST(Trichotomy, Agrees_with_curvatures_at_points)
       EXPECT_NEAR(share, CGAL::to_double(t->area(region).lower), 0.06) << to_string(region);
       // A region that is proved empty has no point at all.
       if (t->area(region).upper == 0)
-        EXPECT_EQ(counts[static_cast<int>(region)], 0);
+        {
+          EXPECT_EQ(counts[static_cast<int>(region)], 0);
+        }
     }
   }
 }
