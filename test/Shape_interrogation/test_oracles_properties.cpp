@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 
-// The exact cases about property surfaces: coefficients, developable patches and their twins, values
-// at points, theorems about whole patches, and the algebra of Bezier and spline functions.
+// The exact cases about property surfaces: coefficients, developable patches and their twins,
+// values at points, theorems about whole patches, and the algebra of Bezier and spline functions.
 
 #include "oracle_surfaces.h"
 
