@@ -21,10 +21,10 @@ namespace interrogate {
 namespace {
 
 const std::vector<std::string> task_kinds = {"curvature", "shape_operator", "mesh",
-                                             "line"};
+                                             "line", "property", "bound"};
 const std::vector<std::string> later_task_kinds = {
   "normalform", "foot_point", "intersection_curvature", "contact", "continuity", "audit",
-  "property", "bound", "contour", "trichotomy", "umbilics"};
+  "contour", "trichotomy", "umbilics"};
 
 const std::vector<std::string> number_types = {"exact", "interval", "double", "filtered"};
 
@@ -160,6 +160,8 @@ Task_data read_data(const Json_place& place, const std::string& kind, const Mode
     return read_mesh(place, model);
   if (kind == "line")
     return read_line(place, model);
+  if (kind == "property" || kind == "bound")
+    return read_property(place, model, kind);
   place.field("task").expected("the kind of a task (" + listed(task_kinds) +
                                "; not in this version: " + listed(later_task_kinds) + ")");
 }
