@@ -105,7 +105,9 @@ Surface_answer united(const Surface_answer& a, const Surface_answer& b)
 si::Result<Enclosed_place> enclose_place(const Surface_model& surface, const Curvature_task& task)
 {
   Enclosed_place place;
-  place.surface = make_surface(std::get<System_model>(surface.data), surface.orient);
+  const System_model& model = std::get<System_model>(surface.data);
+  place.surface = make_surface(model, surface.orient);
+  place.bounds = model.bounds;
   place.flip = surface.flip;
   const auto enclosure =
     si::enclose_solution(place.surface->system(), evaluate<double>(task.at));

@@ -14,6 +14,7 @@
 #include "describe_shape.h"
 #include "system_shapes.h"
 
+#include <CGAL/Shape_interrogation/Surfaces/N_space_bound.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_enclosure.h>
 
 #include <vector>
@@ -23,6 +24,7 @@ namespace interrogate {
 struct Enclosed_place
 {
   std::optional<si::N_space_surface_3> surface;
+  std::vector<si::N_space_bound> bounds;
   bool flip = false;
   si::N_space_enclosure enclosure;
 };
@@ -40,6 +42,9 @@ template <class NT>
 si::Result<Surface_answer> describe_in_box(const Enclosed_place& place, const Curvature_task& task,
                                            const std::vector<NT>& box)
 {
+  if (auto refusal = si::refuse_outside_bounds(box, place.bounds,
+                                               place.surface->system().variables()))
+    return *refusal;
   const auto unoriented = place.surface->unoriented(box);
   if (!unoriented)
     return unoriented.refusal();

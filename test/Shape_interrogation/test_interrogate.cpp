@@ -253,6 +253,8 @@ std::string enclosing_model(const std::string& tasks)
     "tube": { "kind": "system", "variables": ["x","y","z","w"], "orient": [1,0,0],
               "equations": ["w - x/3", "9*w^2 + z^2 - 2"] },
     "wave": { "kind": "system", "variables": ["x","y","z"], "equations": ["z - sin(x)*y - x"] },
+    "strip": { "kind": "system", "variables": ["x","y","z"], "equations": ["z - x*y"],
+               "bounds": {"y": [0,1]} },
     "sphere": { "kind": "implicit", "f": "x^2 + y^2 + z^2 - 1" },
     "patch": { "kind": "bezier", "control_points": [[[0,0,0],[0,1,0]],[[1,0,0],[1,1,0]]] } },
     "tasks": [)" + tasks + "] }";
@@ -343,6 +345,22 @@ TEST_F(Program, does_not_guess_at_the_enclosed_point_of_the_appendix)
     EXPECT_EQ(t["umbilic"], false);
     EXPECT_EQ(t["enclosure"]["equations"].size(), 14u);
     EXPECT_EQ(t["enclosure"]["others"].size(), 1u);
+  }
+}
+
+TEST_F(Program, encloses_points_within_the_bounds)
+{
+  const std::string task = R"({"task":"curvature","surface":"strip","at":{"enclose":true,"point":)";
+  for (const char* type : {"exact", "double", "interval", "filtered"})
+  {
+    const std::string in_type = std::string(R"(]},"number_type":")") + type + "\"}";
+    const Json t = report(write("m.json", enclosing_model(
+      task + "[1,0.5,0.5" + in_type + "," + task + "[1,1,1" + in_type + "," + task + "[1,2,2" +
+      in_type)), 1)["tasks"];
+    EXPECT_EQ(t[0]["status"], "ok") << type << t[0];
+    EXPECT_EQ(t[1]["status"], "ok") << type << t[1];
+    EXPECT_EQ(t[2]["status"], "refused") << type << t[2];
+    EXPECT_EQ(t[2]["reason"]["code"], "outside_domain") << type << t[2];
   }
 }
 
