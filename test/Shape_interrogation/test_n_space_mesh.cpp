@@ -315,6 +315,27 @@ TEST(N_space_mesh, Inner_offsets_with_cuspidal_edges_are_ellipsoids_upstairs)
   }
 }
 
+// The folds of a closed surface are closed, however few triangles there are between them.
+TEST(N_space_mesh, Folds_have_no_gaps_in_coarse_meshes)
+{
+  const Implicit_entity_3 ellipsoid([](auto x, auto y, auto z) {
+    return 4 * x * x + 9 * y * y + 36 * z * z - 36;
+  });
+  const N_space_system system = offset_system(ellipsoid, Q(5) / 2).n_space_system();
+  for (double edge_length : {0.25, 0.3, 0.5, 0.7})
+  {
+    SCOPED_TRACE(edge_length);
+    const auto mesh = mesh_of(system, {{0.5, 0, 0, 3, 0, 0}}, edge_length);
+    ASSERT_TRUE(mesh) << mesh.refusal().evidence();
+    EXPECT_EQ(mesh->report.euler_characteristic, 2);
+    EXPECT_EQ(mesh->folds.size(), 4u);
+    for (const N_space_polyline& fold : mesh->folds)
+      EXPECT_TRUE(fold.closed);
+    for (const N_space_stop& stop : mesh->stops)
+      EXPECT_NE(stop.evidence, "a fold could not be followed");
+  }
+}
+
 TEST(N_space_mesh, Patch_as_a_system)
 {
   const auto map = [](auto u, auto v) {

@@ -183,10 +183,13 @@ private:
     mesh.report.manifold = built.is_manifold;
     fill_n_space_properties(m_system, m_cover, built.source, mesh);
     measure_distances(m_cover, triangles, built.source, m_options.edge_length, mesh, m_go_on);
-    mesh.folds = Fold_finder(m_cover)(triangles);
+    Fold_finder find_folds(m_cover);
+    mesh.folds = find_folds(triangles);
     mesh.rims = rims(triangles);
     for (const Cover_stop& s : m_cover.stops())
       mesh.stops.push_back({m_cover.vertices()[s.vertex].chart.point, s.code, s.evidence});
+    for (const std::vector<double>& end : find_folds.ends())
+      mesh.stops.push_back({end, Refusal_code::UNDECIDED, "a fold could not be followed"});
     return mesh;
   }
 
