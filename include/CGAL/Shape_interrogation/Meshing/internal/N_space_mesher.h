@@ -193,7 +193,7 @@ private:
     return mesh;
   }
 
-  // Sides with one triangle whose ends are not on the same bound.
+  // Sides with one triangle whose ends do not follow each other on a bound.
   std::vector<N_space_polyline> rims(const std::vector<Soup_triangle>& triangles) const
   {
     std::vector<std::pair<std::size_t, std::size_t>> sides;
@@ -208,7 +208,7 @@ private:
       while (end < sides.size() && sides[end] == sides[i])
         ++end;
       const auto& [a, b] = sides[i];
-      if (end == i + 1 && (m_cover.vertices()[a].sides & m_cover.vertices()[b].sides) == 0)
+      if (end == i + 1 && !m_cover.is_border(static_cast<int>(a), static_cast<int>(b)))
         open.push_back(sides[i]);
       i = end;
     }
