@@ -119,7 +119,7 @@ struct Curvature_task
 {
   std::string surface, curve; // one of them is empty
   std::vector<Number> at;
-  bool enclose = false; // the proved point of a system near `at`
+  bool enclose = false; // the proved point near `at`
   std::optional<std::vector<Number>> direction;
 };
 
