@@ -160,7 +160,7 @@ struct Line_task
 struct Property_task
 {
   std::string surface;
-  si::Property property;
+  si::Property property = si::Property::NORMAL_Z;
   Numbers<3> up, view, light;
   std::optional<Numbers<3>> eye;
   Number level;
@@ -168,6 +168,19 @@ struct Property_task
   std::string file; // or empty
   std::optional<Number> bound;
   bool is_upper = true; // the bound is `at_most`
+};
+
+// Where a property has a value, or a plane section.
+struct Contour_task
+{
+  Property_task property; // the surface, and what the property needs
+  std::optional<std::vector<Number>> plane;
+  Number level;
+};
+
+struct Trichotomy_task
+{
+  std::string surface;
 };
 
 // What the format knows and this version does not offer: the sentence that says so.
@@ -182,7 +195,7 @@ struct Task
   std::string kind;
   std::optional<Number_type> number_type;
   std::variant<Curvature_task, Shape_operator_task, Mesh_task, Line_task, Property_task,
-               Unsupported_task>
+               Contour_task, Trichotomy_task, Unsupported_task>
     data;
 };
 

@@ -6,13 +6,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 
-// Reads the tasks property and bound.
+// Reads the tasks property, bound, contour and trichotomy.
 
 #include "read_tasks.h"
 
 #include "read_numbers.h"
 
 #include <optional>
+#include <utility>
 
 namespace interrogate {
 
@@ -75,7 +76,7 @@ std::vector<std::string> fields_of(Property property, const std::string& kind)
   std::vector<std::string> fields{"surface", "property"};
   if (kind == "property")
     fields.insert(fields.end(), {"at", "file"});
-  else
+  else if (kind == "bound")
     fields.insert(fields.end(), {"at_most", "at_least"});
   if (property == Property::SLOPE)
     fields.push_back("up");
@@ -101,6 +102,24 @@ bool has_domain(const Surface_model& surface)
   return !parametric || parametric->domain;
 }
 
+// Why the task is not for the surface, if it is not.
+std::optional<Unsupported_task> not_for(const Surface_model& surface, const std::string& kind)
+{
+  if (const auto* unsupported = std::get_if<Unsupported>(&surface.data))
+    return no_kind(unsupported->kind);
+  if (!std::holds_alternative<Parametric_model>(surface.data) &&
+      !std::holds_alternative<Patch_model>(surface.data))
+    return Unsupported_task{"the task \"" + kind + "\" for the kind \"" + surface.kind +
+                            "\" is not available: it is for surfaces with parameters"};
+  return std::nullopt;
+}
+
+void need_domain(const Json_place& name, const Surface_model& surface)
+{
+  if (!has_domain(surface))
+    name.fail("the task is about the whole surface, which needs a \"domain\"");
+}
+
 } // namespace
 
 Task_data read_property(const Json_place& place, const Model& model, const std::string& kind)
@@ -110,12 +129,8 @@ Task_data read_property(const Json_place& place, const Model& model, const std::
   allow_task_fields(place, fields_of(task.property, kind));
   const Json_place name = place.field("surface");
   const Surface_model& surface = read_name(name, model.surfaces, "surface");
-  if (const auto* unsupported = std::get_if<Unsupported>(&surface.data))
-    return no_kind(unsupported->kind);
-  if (!std::holds_alternative<Parametric_model>(surface.data) &&
-      !std::holds_alternative<Patch_model>(surface.data))
-    return Unsupported_task{"the task \"" + kind + "\" for the kind \"" + surface.kind +
-                            "\" is not available: it is for surfaces with parameters"};
+  if (auto unsupported = not_for(surface, kind))
+    return *unsupported;
   task.surface = name.string("");
   read_inputs(place, task);
   if (kind == "bound")
@@ -125,11 +140,50 @@ Task_data read_property(const Json_place& place, const Model& model, const std::
     at->allow_only({"parameters"});
     task.at = read_numbers(at->field("parameters"), 2, "an array of 2 numbers");
   }
-  else if (!has_domain(surface))
-    name.fail("the task is about the whole surface, which needs a \"domain\"");
+  else
+    need_domain(name, surface);
   if (const auto file = place.find("file"))
     task.file = read_file_name(*file, {".json"});
   return task;
+}
+
+Task_data read_contour(const Json_place& place, const Model& model)
+{
+  Contour_task task;
+  const auto plane = place.find("plane");
+  if (plane)
+  {
+    allow_task_fields(place, {"surface", "plane"});
+    task.plane = read_numbers(*plane, 4, "the 4 coefficients of a plane");
+  }
+  else
+  {
+    task.property.property = read_name_of_property(place.field("property"));
+    std::vector<std::string> fields = fields_of(task.property.property, "contour");
+    fields.push_back("level");
+    allow_task_fields(place, fields);
+    read_inputs(place, task.property);
+    if (task.property.property != Property::ISOPHOTE) // whose level is the cosine
+      task.level = std::exchange(task.property.level, Number(0));
+  }
+  const Json_place name = place.field("surface");
+  const Surface_model& surface = read_name(name, model.surfaces, "surface");
+  if (auto unsupported = not_for(surface, "contour"))
+    return *unsupported;
+  need_domain(name, surface);
+  task.property.surface = name.string("");
+  return task;
+}
+
+Task_data read_trichotomy(const Json_place& place, const Model& model)
+{
+  allow_task_fields(place, {"surface"});
+  const Json_place name = place.field("surface");
+  const Surface_model& surface = read_name(name, model.surfaces, "surface");
+  if (auto unsupported = not_for(surface, "trichotomy"))
+    return *unsupported;
+  need_domain(name, surface);
+  return Trichotomy_task{name.string("")};
 }
 
 } // namespace interrogate

@@ -21,10 +21,10 @@ namespace interrogate {
 namespace {
 
 const std::vector<std::string> task_kinds = {"curvature", "shape_operator", "mesh",
-                                             "line", "property", "bound"};
+                                             "line", "property", "bound", "contour", "trichotomy"};
 const std::vector<std::string> later_task_kinds = {
   "normalform", "foot_point", "intersection_curvature", "contact", "continuity", "audit",
-  "contour", "trichotomy", "umbilics"};
+  "umbilics"};
 
 const std::vector<std::string> number_types = {"exact", "interval", "double", "filtered"};
 
@@ -155,6 +155,10 @@ Task_data read_data(const Json_place& place, const std::string& kind, const Mode
     return read_line(place, model);
   if (kind == "property" || kind == "bound")
     return read_property(place, model, kind);
+  if (kind == "contour")
+    return read_contour(place, model);
+  if (kind == "trichotomy")
+    return read_trichotomy(place, model);
   place.field("task").expected("the kind of a task (" + listed(task_kinds) +
                                "; not in this version: " + listed(later_task_kinds) + ")");
 }

@@ -20,13 +20,6 @@ namespace interrogate {
 
 namespace {
 
-void refuse(const si::Refusal& refusal, Task_result& result)
-{
-  result.code = si::to_string(refusal.code());
-  result.status = result.code == "undecided" ? "undecided" : "refused";
-  result.text = refusal.evidence();
-}
-
 std::string brief(const Scalar& s)
 {
   if (!s.exact.empty() && s.exact.size() <= 24)

@@ -45,11 +45,22 @@ void dispatch(const Model& model, const Task& task, std::optional<Number_type> p
     run_line(model, *line, directory, progress, result);
   else if (const auto* property = std::get_if<Property_task>(&task.data))
     run_property(model, *property, preferred, directory, result);
+  else if (const auto* contour = std::get_if<Contour_task>(&task.data))
+    run_contour(model, *contour, progress, result);
+  else if (const auto* trichotomy = std::get_if<Trichotomy_task>(&task.data))
+    run_trichotomy(model, *trichotomy, progress, result);
   else
     set_status(result, "error", "unsupported", std::get<Unsupported_task>(task.data).what);
 }
 
 } // namespace
+
+void refuse(const si::Refusal& refusal, Task_result& result)
+{
+  result.code = si::to_string(refusal.code());
+  result.status = result.code == "undecided" ? "undecided" : "refused";
+  result.text = refusal.evidence();
+}
 
 Task_result run_task(const Model& model, const Task& task, std::optional<Number_type> preferred,
                      const std::filesystem::path& directory, Progress_bar& progress)

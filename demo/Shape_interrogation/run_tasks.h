@@ -40,6 +40,14 @@ void run_property(const Model& model, const Property_task& task,
                   std::optional<Number_type> preferred, const std::filesystem::path& directory,
                   Task_result& result);
 
+void run_contour(const Model& model, const Contour_task& task, Progress_bar& progress,
+                 Task_result& result);
+void run_trichotomy(const Model& model, const Trichotomy_task& task, Progress_bar& progress,
+                    Task_result& result);
+
+// Puts down why there is no answer.
+void refuse(const si::Refusal& refusal, Task_result& result);
+
 // The path of a task's file, in a directory that is made for it; and what became of the file.
 std::string path_of(const std::filesystem::path& directory, const std::string& file);
 void store_file(const char* field, const std::string& file, const std::string& reason,

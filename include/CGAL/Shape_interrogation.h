@@ -45,6 +45,7 @@
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>
 #include <CGAL/Shape_interrogation/Waist/Symmetric_matrix_3.h>
 #include <CGAL/Shape_interrogation/Waist/Unoriented_shape_3.h>
+#include <CGAL/Shape_interrogation/Waist/progress.h>
 #include <CGAL/Shape_interrogation/Curves/Bezier_curve_2.h>
 #include <CGAL/Shape_interrogation/Curves/Curve_derivatives_2.h>
 #include <CGAL/Shape_interrogation/Curves/Implicit_curve_2.h>

@@ -131,9 +131,8 @@ TEST(Contours, Nearly_touching_branches_are_resolved)
   const FT s(gap * gap / 4);
   EXPECT_EQ(topology(contour_of(x() * x() - y() * y() - constant(s))), (Topology{0, 2}));
   EXPECT_EQ(topology(contour_of(x() * x() - y() * y() + constant(s))), (Topology{0, 2}));
-  EXPECT_EQ(topology(contour_of(x(FT(1, 3)) * x(FT(1, 3)) - y(FT(2, 7)) * y(FT(2, 7)) * constant(5) -
-                                constant(s))),
-            (Topology{0, 2}));
+  const P a = x(FT(1, 3)), b = y(FT(2, 7));
+  EXPECT_EQ(topology(contour_of(a * a - b * b * constant(5) - constant(s))), (Topology{0, 2}));
   EXPECT_EQ(topology(contour_of(y() * y() - constant(s))), (Topology{0, 2}));
   // The two ways of joining differ: which one it is, not only how many.
   const Contour_2 c = contour_of(x() * x() - y() * y() - constant(s));
@@ -230,6 +229,19 @@ TEST(Contours, Random_polynomials_in_other_forms)
     // A monotone change of the parameter: another curve, the same topology.
     EXPECT_EQ(topology(contour_of(p.at<P>({u * (one + u) * constant(FT(1, 2)), v}))), topology(c));
   }
+}
+
+// Over a common denominator, the integers are the rationals times a power of it.
+TEST(Contours, Restriction_in_a_ring)
+{
+  using Z = Bernstein_polynomial_2<Integer>;
+  const Z s = Z::coordinate(0), t = Z::coordinate(1);
+  const Z p = s * s * t * Z(3) - t * Z(2) + s;
+  const P q = p.cast<FT>();
+  const P part = p.restricted_homogeneous(0, 1, 3, 4).cast<FT>();
+  EXPECT_TRUE((part - q.restricted(0, FT(1, 4), FT(3, 4)) * P(16)).is_zero());
+  const auto line = p.fixed_homogeneous(1, 2, 3).cast<FT>();
+  EXPECT_TRUE((line - q.fixed(1, FT(2, 5)) * Bernstein_polynomial_1<FT>(5)).is_zero());
 }
 
 TEST(Contours, Stop_and_limits)

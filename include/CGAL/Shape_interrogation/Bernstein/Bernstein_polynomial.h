@@ -232,7 +232,7 @@ public:
     return fixed_homogeneous(axis, x, NT(1) - x);
   }
 
-  //! returns the same for the value \f$ x / (x + \bar x) \f$ times \f$ (x + \bar x)^m \f$, for a ring.
+  //! returns the same for \f$ x / (x + \bar x) \f$ times \f$ (x + \bar x)^m \f$, for a ring.
   Bernstein_polynomial<NT, d - 1> fixed_homogeneous(int axis, const NT& x,
                                                     const NT& complement) const
   {

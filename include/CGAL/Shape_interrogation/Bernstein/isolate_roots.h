@@ -110,7 +110,8 @@ class Root_isolator
 public:
   // Adds the roots strictly inside the unit interval of a polynomial, which has a simple root at
   // no end. Returns false where `depth` halvings did not separate them: multiple roots, perhaps.
-  bool operator()(const Integers& b, int multiplicity, int depth, std::vector<Bernstein_root>& roots)
+  bool operator()(const Integers& b, int multiplicity, int depth,
+                  std::vector<Bernstein_root>& roots)
   {
     m_roots = &roots;
     m_multiplicity = multiplicity;

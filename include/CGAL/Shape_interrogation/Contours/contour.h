@@ -92,12 +92,12 @@ Result<Contour_2> contour_of_part(const Exact_function& f, const Exact_function&
  * \ingroup PkgShapeInterrogationContours
  * \brief computes the zero set of `f` on the unit square with certified topology.
  *
- * Powers of \f$ u, 1-u, v, 1-v \f$ are divided out and reported as edges, of multiple factors one is
- * kept. The square is cut into cells until each has no point of the curve or a partial derivative
- * without zero: there the curve is a graph, known from its crossings with the edges of the cell. All
- * signs are certified: in floating point with a running bound of the error, exactly where that is
- * not enough. Cells are cut down to a width of \f$ 2^{-43} \f$; those that remain are at a singular
- * point, or parts of the curve are closer than that, and are reported as unresolved.
+ * Powers of \f$ u, 1-u, v, 1-v \f$ are divided out and reported as edges, of multiple factors one
+ * is kept. The square is cut into cells until each has no point of the curve or a partial
+ * derivative without zero: there the curve is a graph, known from its crossings with the edges of
+ * the cell. All signs are certified: in floating point with a running bound of the error, exactly
+ * where that is not enough. Cells are cut down to a width of \f$ 2^{-43} \f$; those that remain are
+ * at a singular point, or parts of the curve are closer than that, and are unresolved.
  *
  * \param f the polynomial; with positive degree in a variable or not
  * \param options the step and the limit of the effort
@@ -105,9 +105,9 @@ Result<Contour_2> contour_of_part(const Exact_function& f, const Exact_function&
  *
  * \return the zero set; it is refused only when the callback stops it (`CANCELLED`)
  *
- * The result depends on the input only. Complexity: a cell costs \f$ O(m n (m + n)) \f$ operations in
- * floating point; their number is proportional to the length of the curve over the distance to other
- * parts of it, and \f$ O(\log) \f$ of the distance to a simple singular point.
+ * The result depends on the input only. Complexity: a cell costs \f$ O(m n (m + n)) \f$ operations
+ * in floating point. Their number is proportional to the length of the curve over its distance to
+ * other parts of it, and to the logarithm of the least width at a simple singular point.
  */
 template <class Progress = No_progress>
 Result<Contour_2> contour(const Bernstein_polynomial_2<Exact_integer>& f,

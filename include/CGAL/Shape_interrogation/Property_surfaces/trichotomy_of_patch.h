@@ -109,11 +109,11 @@ inline std::vector<Contour_edge_2> without(std::vector<Contour_edge_2> edges,
  * \brief divides a patch into its convex, concave and saddle parts, for its own normal
  * \f$ S_u \times S_v \f$.
  *
- * Whether the patch is developable or flat is decided exactly. The boundary of the parts is the zero
- * set of the second form's determinant, where there are umbilic or flat points perhaps without a
- * change of sign; on a developable patch it is that of the mean curvature. The areas are of the
- * parameter domain: a lower bound counts the cells in which the signs are proved, an upper bound all
- * cells without another sign.
+ * Whether the patch is developable or flat is decided exactly. The boundary of the parts is the
+ * zero set of the second form's determinant, where there are umbilic or flat points perhaps without
+ * a change of sign; on a developable patch it is that of the mean curvature. The areas are of the
+ * parameter domain: a lower bound counts the cells in which the signs are proved, an upper bound
+ * all cells in which they are not excluded. An upper bound of 0 proves that there is no such part.
  *
  * \param piece the patch and its intervals of parameters
  * \param options how well the areas must be known, and what may be spent

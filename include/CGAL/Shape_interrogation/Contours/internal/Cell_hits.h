@@ -26,7 +26,7 @@ namespace CGAL {
 namespace Shape_interrogation {
 namespace internal {
 
-// The cells on both sides of each line across the axis, in order; all of them or the unresolved ones.
+// The cells on both sides of each line across the axis, in order; all, or the unresolved ones.
 using Lines_of_cells = std::map<double, std::array<std::vector<int>, 2>>;
 
 inline Lines_of_cells lines_of_cells(const std::vector<Contour_cell>& cells, int axis, bool all)
@@ -195,9 +195,9 @@ private:
     const Contour_cell& c = m_cells[cell];
     const int other = 1 - segment.axis;
     const double low = c.box.low[other], width = c.box.width(other);
-    auto crossings =
-      m_crossings(segment, c.f.edge(segment.axis, end)
-                             .restricted((segment.low - low) / width, (segment.high - low) / width));
+    const Edge_coefficients edge = c.f.edge(segment.axis, end);
+    auto crossings = m_crossings(
+      segment, edge.restricted((segment.low - low) / width, (segment.high - low) / width));
     if (!crossings)
       m_degenerate.push_back(cell);
     return crossings;

@@ -29,7 +29,8 @@ namespace internal {
 class Contour_chains
 {
 public:
-  Contour_chains(const std::vector<Contour_cell>& cells, const std::vector<Contour_vertex>& vertices,
+  Contour_chains(const std::vector<Contour_cell>& cells,
+                 const std::vector<Contour_vertex>& vertices,
                  const std::vector<Contour_arc>& arcs, double step)
     : m_cells(cells), m_vertices(vertices), m_arcs(arcs), m_step(step), m_at(vertices.size()),
       m_is_used(arcs.size(), false), m_box_of(cells.size(), -1)
