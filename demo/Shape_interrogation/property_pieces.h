@@ -80,6 +80,16 @@ property_pieces(const Surface_model& surface, const Property_task& task)
     return patches.refusal();
   const si::Property_inputs<NT> in = inputs_of<NT>(task);
   std::vector<si::Property_surface_piece<NT>> pieces;
+  constexpr int highest_degree = 32, highest_product = 256; // properties have 12 times the degree
+  for (const si::Surface_piece_3<NT>& piece : *patches)
+  {
+    const int m = piece.patch.degree_u(), n = piece.patch.degree_v();
+    if (m > highest_degree || n > highest_degree || m * n > highest_product)
+      return si::Refusal(si::Refusal_code::LIMIT_EXCEEDED,
+                         "the degrees are " + std::to_string(m) + " and " + std::to_string(n) +
+                         ": for properties of the whole surface each may be 32 at most, and"
+                         " their product 256");
+  }
   for (const si::Surface_piece_3<NT>& piece : *patches)
   {
     const auto p = si::Property_surface_maker<NT>(piece)(task.property, in);

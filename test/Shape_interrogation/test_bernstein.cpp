@@ -163,13 +163,23 @@ TEST(Bernstein_polynomial, products_packed_into_one_integer_are_those_by_rows)
         auto y = integers(internal::size_of(b), 500 - bits / 5);
         const Degree degree{a[0] + b[0], a[1] + b[1]};
         const auto slots_x = internal::slots(a, degree), slots_y = internal::slots(b, degree);
-        std::vector<Z> rows(internal::size_of(degree), Z(0)), packed = rows;
+        std::vector<Z> rows(internal::size_of(degree), Z(0)), packed = rows, twice = rows;
         internal::multiply_by_rows(x, slots_x, y, slots_y, rows);
-        internal::multiply_packed(x, slots_x, y, slots_y,
-                                  internal::slot_width(internal::longest(x), internal::longest(y),
-                                                       std::min(x.size(), y.size())),
-                                  packed);
+        const std::size_t width = internal::slot_width(internal::longest(x), internal::longest(y),
+                                                       std::min(x.size(), y.size()));
+        internal::multiply_packed(x, slots_x, y, slots_y, width, packed);
         EXPECT_EQ(rows, packed);
+        internal::multiply_packed_twice(x, slots_x, y, slots_y, width + width % 2, twice);
+        EXPECT_EQ(rows, twice);
+        // Squares.
+        const Degree twice_a{2 * a[0], 2 * a[1]};
+        const auto slots = internal::slots(a, twice_a);
+        std::vector<Z> square(internal::size_of(twice_a), Z(0)), other = square;
+        const std::size_t length = internal::longest(x);
+        const std::size_t even = (internal::slot_width(length, length, x.size()) + 1) / 2 * 2;
+        internal::multiply_by_rows(x, slots, x, slots, square);
+        internal::multiply_packed_twice(x, slots, x, slots, even, other);
+        EXPECT_EQ(square, other);
       }
 }
 

@@ -31,6 +31,7 @@ const char* const surfaces = R"json({
     "1-2/(1+u^2+v^2)"], "domain": [[-1, "1/2"], [0, 2]] },
   "open": { "kind": "parametric", "x": ["u", "v", "u*v"] },
   "wave": { "kind": "parametric", "x": ["u", "v", "v*sin(u)"], "domain": [[0, 1], [0, 1]] },
+  "steep": { "kind": "parametric", "x": ["u", "v", "u^40+v"], "domain": [[0, 1], [0, 1]] },
   "root": { "kind": "bezier", "control_points": [[[0,0,0], [0,1,"sqrt(2)"]], [[1,0,0], [1,1,1]]] },
   "two_roots": { "kind": "bezier",
     "control_points": [[[0,0,"sqrt(3)"], [0,1,"sqrt(2)"]], [[1,0,0], [1,1,1]]] },
@@ -168,6 +169,8 @@ TEST(Property_tasks, are_refused_where_there_is_no_answer)
   EXPECT_EQ("irregular_parametrisation",
             code(task_of("property", "knots", "slope",
                          at("1/2", "0") + R"(,"up":["0","1","0"])")));
+  EXPECT_EQ("limit_exceeded", code(task_of("property", "steep", "gaussian", "")));
+  EXPECT_EQ("1603", property("steep", "speed", at("1", "0"))["value"]["exact"]); // the value stands
   EXPECT_EQ("unsupported", code(task_of("property", "ball", "speed", "")));
 }
 

@@ -25,8 +25,20 @@ struct Bound_limits
 {
   double tolerance = 1e-9; //!< the width of the interval that suffices, as a part of the greatest
                            //!< absolute value that is met
-  std::size_t boxes = 500; //!< how many boxes are looked at
+  std::size_t boxes = 500; //!< how many boxes are looked at; of polynomials with more than 500
+                           //!< coefficients as many fewer as there are more of these
 };
+
+namespace internal {
+
+// The number of boxes that costs no more than `boxes` with 500 coefficients each.
+inline std::size_t affordable_boxes(std::size_t boxes, std::size_t coefficients)
+{
+  const std::size_t affordable = boxes * 500 / coefficients;
+  return affordable < boxes ? affordable : boxes;
+}
+
+} // namespace internal
 
 /*!
  * \ingroup PkgShapeInterrogationBernstein

@@ -12,6 +12,7 @@
 // Whether a polynomial is nowhere negative on the unit cube: proof by its coefficients, refutation
 // by a point, both found by halving the cube.
 
+#include <CGAL/Shape_interrogation/Bernstein/Certified_extreme.h>
 #include <CGAL/Shape_interrogation/Bernstein/internal/Subdivision_box.h>
 #include <CGAL/Shape_interrogation/Bernstein/internal/boundary_factors.h>
 
@@ -121,13 +122,13 @@ std::optional<std::array<NT, d>> move_inside(std::array<NT, d> corner, std::arra
  *
  * \tparam NT an exact field number type
  * \param polynomials at least one
- * \param most_boxes how many boxes are looked at
+ * \param most_boxes how many boxes are looked at, as `Bound_limits::boxes`
  *
  * Complexity: \f$ O(n^{d+1}) \f$ additions of numbers for a box and the degree n.
  */
 template <class NT, int d>
 Sign_verdict<NT, d> decide_nonnegative(std::vector<Bernstein_polynomial<NT, d>> polynomials,
-                                       std::size_t most_boxes = 4000)
+                                       std::size_t most_boxes = 2000)
 {
   static_assert(Number_type_traits<NT>::is_exact, "a proof needs exact numbers");
   using Box = internal::Subdivision_box<NT, d>;
@@ -146,6 +147,8 @@ Sign_verdict<NT, d> decide_nonnegative(std::vector<Bernstein_polynomial<NT, d>> 
     is_divided = internal::divide_by_boundary_factors(one) || is_divided;
     p = std::move(one.front());
   }
+  most_boxes = internal::affordable_boxes(
+    most_boxes, polynomials.front().scaled_coefficients().size());
   std::deque<Box> boxes{Box(internal::subdivision_arrays(polynomials))};
   for (std::size_t looked_at = 0; !boxes.empty(); ++looked_at)
   {

@@ -47,19 +47,24 @@ Spline_function<NT, d> combine(const Spline_function<NT, d>& f, const Spline_fun
 
 } // namespace internal
 
-// The domains must be the same.
+//! \relates Spline_function
+//! \brief returns the sum. \pre the domains are the same
 template <class NT, int d>
 Spline_function<NT, d> operator+(const Spline_function<NT, d>& f, const Spline_function<NT, d>& g)
 {
   return internal::combine(f, g, false, [](const auto& p, const auto& q) { return p + q; });
 }
 
+//! \relates Spline_function
+//! \brief returns the difference. \pre the domains are the same
 template <class NT, int d>
 Spline_function<NT, d> operator-(const Spline_function<NT, d>& f, const Spline_function<NT, d>& g)
 {
   return internal::combine(f, g, false, [](const auto& p, const auto& q) { return p - q; });
 }
 
+//! \relates Spline_function
+//! \brief returns the product. \pre the domains are the same
 template <class NT, int d>
 Spline_function<NT, d> operator*(const Spline_function<NT, d>& f, const Spline_function<NT, d>& g)
 {

@@ -68,6 +68,7 @@ public:
     if (r)
       for (Array& a : quotient(*r, q * q))
         arrays.push_back(std::move(a));
+    m_limits.boxes = affordable_boxes(limits.boxes, arrays[0].numbers.size());
     Box box;
     static_cast<Boxes&>(box) = Boxes(std::move(arrays));
     add(std::move(box));
@@ -238,9 +239,8 @@ private:
       return false;
     const Array &p = box.arrays[0], &q = box.arrays[1];
     const auto is_above = [&](std::size_t i) {
-      const Ring difference =
-        p.numbers[i] * m_best->denominator - denominator(q, i) * m_best->numerator;
-      return sign_of(difference) > 0;
+      return sign_of(Ring(p.numbers[i] * m_best->denominator -
+                          denominator(q, i) * m_best->numerator)) > 0;
     };
     box.for_each_corner(p.degree, [&](const Point& x, std::size_t i) {
       const Ring& b = denominator(q, i);

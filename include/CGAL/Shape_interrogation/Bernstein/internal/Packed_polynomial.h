@@ -27,17 +27,21 @@ class Packed_polynomial
 {
 public:
   // Coefficient k goes to the slot `slots[k]`; each must fit `width` limbs with a bit to spare.
+  // With a step of 2 only the slots with the parity of `first` count, and they move together.
   template <class Integer>
   Packed_polynomial(const std::vector<Integer>& coefficients, const std::vector<int>& slots,
-                    std::size_t width)
+                    std::size_t width, int first = 0, int step = 1)
   {
-    const std::size_t size = (slots.back() + std::size_t(1)) * width;
+    const std::size_t size = (slots.back() / step + std::size_t(1)) * width;
     std::vector<mp_limb_t> negative(size, 0);
     m_limbs.assign(size, 0);
     for (std::size_t k = 0; k < coefficients.size(); ++k)
     {
+      if (slots[k] % step != first)
+        continue;
       mpz_srcptr c = gmp_of(coefficients[k]);
-      mp_limb_t* to = (mpz_sgn(c) < 0 ? negative : m_limbs).data() + slots[k] * width;
+      mp_limb_t* to =
+        (mpz_sgn(c) < 0 ? negative : m_limbs).data() + slots[k] / step * width;
       std::copy_n(mpz_limbs_read(c), mpz_size(c), to);
     }
     subtract(negative);
@@ -57,6 +61,18 @@ public:
       mpn_sqr(m_limbs.data(), x.data(), x.size());
     else
       mpn_mul(m_limbs.data(), x.data(), x.size(), y.data(), y.size());
+  }
+
+  explicit Packed_polynomial(mpz_srcptr value)
+    : m_limbs(mpz_limbs_read(value), mpz_limbs_read(value) + mpz_size(value)),
+      m_is_negative(mpz_sgn(value) < 0)
+  {}
+
+  void get(mpz_ptr value) const
+  {
+    mpz_t view;
+    const mp_size_t size = static_cast<mp_size_t>(m_limbs.size());
+    mpz_set(value, mpz_roinit_n(view, m_limbs.data(), m_is_negative ? -size : size));
   }
 
   // Reads the coefficients back. What is below a slot borrows from it where it is negative.

@@ -129,7 +129,7 @@ Result<Bound_verdict<NT>> decide_bound(const Property_surface<NT>& surface, cons
   const Bound_margins<NT> margins = bound_margins(s, bound, is_upper);
   const auto sign = is_bound_of_square(s.property(), bound, is_upper)
                       ? Sign_verdict<NT, 2>{Verdict::YES, std::nullopt}
-                      : decide_margins(margins, 8 * limits.boxes);
+                      : decide_margins(margins, 4 * limits.boxes);
   v.verdict = sign.verdict;
   if (sign.verdict == Verdict::NO)
   {
