@@ -26,6 +26,7 @@
 #include <CGAL/Shape_interrogation/Number_types/number_cast.h>
 #include <CGAL/Shape_interrogation/Number_types/reduced_square_root.h>
 #include <CGAL/Shape_interrogation/Bernstein/Bernstein_polynomial.h>
+#include <CGAL/Shape_interrogation/Bernstein/homogeneous_parameters.h>
 #include <CGAL/Shape_interrogation/Bernstein/Certified_extreme.h>
 #include <CGAL/Shape_interrogation/Bernstein/bounds.h>
 #include <CGAL/Shape_interrogation/Bernstein/decide_nonnegative.h>

@@ -11,6 +11,7 @@
 #include "random_rationals.h"
 
 #include <CGAL/Shape_interrogation/Bernstein/Bernstein_polynomial.h>
+#include <CGAL/Shape_interrogation/Bernstein/homogeneous_parameters.h>
 #include <CGAL/Shape_interrogation/Bernstein/isolate_roots.h>
 #include <CGAL/Shape_interrogation/Contours/contour.h>
 
@@ -238,10 +239,12 @@ TEST(Contours, Restriction_in_a_ring)
   const Z s = Z::coordinate(0), t = Z::coordinate(1);
   const Z p = s * s * t * Z(3) - t * Z(2) + s;
   const P q = p.cast<FT>();
-  const P part = p.restricted_homogeneous(0, 1, 3, 4).cast<FT>();
+  const P part = restricted_homogeneous(p, 0, Integer(1), Integer(3), Integer(4)).cast<FT>();
   EXPECT_TRUE((part - q.restricted(0, FT(1, 4), FT(3, 4)) * P(16)).is_zero());
-  const auto line = p.fixed_homogeneous(1, 2, 3).cast<FT>();
+  const auto line = fixed_homogeneous(p, 1, Integer(2), Integer(3)).cast<FT>();
   EXPECT_TRUE((line - q.fixed(1, FT(2, 5)) * Bernstein_polynomial_1<FT>(5)).is_zero());
+  const Integer value = value_homogeneous(p, {Integer(1), Integer(2)}, {Integer(2), Integer(3)});
+  EXPECT_EQ(FT(value), FT(q({FT(1, 3), FT(2, 5)}) * 9 * 5));
 }
 
 TEST(Contours, Stop_and_limits)

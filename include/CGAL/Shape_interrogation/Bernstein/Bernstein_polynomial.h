@@ -12,11 +12,13 @@
 // Polynomials on the unit cube in Bernstein form, a ring: sum, product and derivative of Elber and
 // Cohen, section 2, over any number type and without division.
 
-#include <CGAL/Shape_interrogation/Bernstein/internal/axes.h>
+#include <CGAL/Shape_interrogation/Bernstein/internal/axis_operations.h>
 #include <CGAL/Shape_interrogation/Number_types/Number_type_traits.h>
 #include <CGAL/Shape_interrogation/Number_types/number_cast.h>
 
 #include <CGAL/assertions.h>
+
+#include <boost/operators.hpp>
 
 #include <algorithm>
 #include <array>
@@ -53,7 +55,7 @@ namespace Shape_interrogation {
  * coefficients packed into them (Kronecker substitution) where that is faster.
  */
 template <class NT, int d>
-class Bernstein_polynomial
+class Bernstein_polynomial : boost::additive1<Bernstein_polynomial<NT, d>>
 {
 public:
   using FT = NT;                        //!< the number type
@@ -104,7 +106,10 @@ public:
   const std::vector<NT>& scaled_coefficients() const { return m_scaled; } //!< returns all of them.
 
   //! returns a scaled coefficient. \pre the index is in range
-  const NT& scaled_coefficient(const Index& index) const { return m_scaled[position(index)]; }
+  const NT& scaled_coefficient(const Index& index) const
+  {
+    return m_scaled[internal::position(m_degree, index)];
+  }
 
   //! returns a Bernstein coefficient. Needs a field. \pre the index is in range
   NT coefficient(const Index& index) const
@@ -148,42 +153,18 @@ public:
     std::array<T, d> complement;
     for (int axis = 0; axis < d; ++axis)
       complement[axis] = T(1) - x[axis];
-    return at_homogeneous(x, complement);
-  }
-
-  /*!
-   * \brief returns the value at the point with the coordinates \f$ x / (x + \bar x) \f$ times
-   * \f$ \prod (x + \bar x)^m \f$, a polynomial in both, for rational points and curves without a
-   * division. `T` is as above.
-   */
-  template <class T>
-  T at_homogeneous(const std::array<T, d>& x, const std::array<T, d>& complement) const
-  {
-    std::vector<T> values(m_scaled.begin(), m_scaled.end());
-    for (int axis = d - 1; axis >= 0; --axis)
-    {
-      const auto powers = internal::homogeneous_powers(m_degree[axis], x[axis], complement[axis]);
-      const std::size_t count = values.size() / powers.size();
-      std::vector<T> sums(count, T(0));
-      for (std::size_t o = 0; o < count; ++o)
-        for (std::size_t i = 0; i < powers.size(); ++i)
-          internal::add_product(sums[o], values[o * powers.size() + i], powers[i]);
-      values = std::move(sums);
-    }
-    return values.front();
+    return internal::value_homogeneous(
+      m_degree, std::vector<T>(m_scaled.begin(), m_scaled.end()), x, complement);
   }
 
   //! returns the partial derivative in the variable `axis`, of a degree less by one (of a constant:
   //! 0 of degree 0).
   Bernstein_polynomial derivative(int axis) const
   {
-    const int n = m_degree[axis];
-    if (n == 0)
+    if (m_degree[axis] == 0)
       return from_scaled_coefficients(m_degree, std::vector<NT>(m_scaled.size(), NT(0)));
-    return with_lines(axis, n - 1, [&](auto from, auto to) {
-      for (int i = 0; i < n; ++i)
-        to(i) = NT(i + 1) * from(i + 1) - NT(n - i) * from(i);
-    });
+    return with_lines(axis, m_degree[axis] - 1,
+                      internal::differentiated_lines(m_scaled, layout(axis)));
   }
 
   //! returns the same polynomial with the degrees `degree`. \pre no degree is less than it was
@@ -193,13 +174,8 @@ public:
     for (int axis = 0; axis < d; ++axis)
     {
       CGAL_precondition_msg(degree[axis] >= m_degree[axis], "elevation does not lower a degree");
-      for (int n = m_degree[axis]; n < degree[axis]; ++n)
-        p = p.with_lines(axis, n + 1, [&](auto from, auto to) {
-          to(0) = from(0);
-          for (int i = 1; i <= n; ++i)
-            to(i) = from(i - 1) + from(i);
-          to(n + 1) = from(n);
-        });
+      for (int n = m_degree[axis] + 1; n <= degree[axis]; ++n)
+        p = p.with_lines(axis, n, internal::elevated_lines(p.m_scaled, p.layout(axis)));
     }
     return p;
   }
@@ -210,42 +186,21 @@ public:
    */
   Bernstein_polynomial restricted(int axis, const NT& a, const NT& b) const
   {
-    return restricted_homogeneous(axis, a, b, NT(1));
-  }
-
-  //! returns the part over \f$ [a/w, b/w] \f$ times \f$ w^m \f$, for a ring. \pre `w` is not zero
-  Bernstein_polynomial restricted_homogeneous(int axis, const NT& a, const NT& b,
-                                              const NT& w) const
-  {
-    const auto rows = internal::restriction_matrix(m_degree[axis], a, b, w);
-    return with_lines(axis, m_degree[axis], [&](auto from, auto to) {
-      for (std::size_t i = 0; i < rows.size(); ++i)
-        for (std::size_t k = 0; k < rows.size(); ++k)
-          internal::add_product(to(k), from(i), rows[i][k]);
-    });
+    return with_lines(axis, m_degree[axis],
+                      internal::multiplied_lines(
+                        m_scaled, layout(axis),
+                        internal::restriction_matrix(m_degree[axis], a, b, NT(1))));
   }
 
   //! returns the polynomial in the other variables where the variable `axis` has the value `x`.
   //! \pre `d` is at least 2
   Bernstein_polynomial<NT, d - 1> fixed(int axis, const NT& x) const
   {
-    return fixed_homogeneous(axis, x, NT(1) - x);
-  }
-
-  //! returns the same for \f$ x / (x + \bar x) \f$ times \f$ (x + \bar x)^m \f$, for a ring.
-  Bernstein_polynomial<NT, d - 1> fixed_homogeneous(int axis, const NT& x,
-                                                    const NT& complement) const
-  {
-    const auto powers = internal::homogeneous_powers(m_degree[axis], x, complement);
-    Bernstein_polynomial<NT, d - 1> p;
-    p.m_scaled = internal::change_lines(
-      m_scaled, internal::axis_layout(m_degree, axis), 1, [&](auto from, auto to) {
-        for (std::size_t i = 0; i < powers.size(); ++i)
-          internal::add_product(to(0), from(i), powers[i]);
-      });
-    std::copy(m_degree.begin(), m_degree.begin() + axis, p.m_degree.begin());
-    std::copy(m_degree.begin() + axis + 1, m_degree.end(), p.m_degree.begin() + axis);
-    return p;
+    return Bernstein_polynomial<NT, d - 1>::from_scaled_coefficients(
+      internal::without_axis(m_degree, axis),
+      internal::fixed_lines(
+        m_scaled, layout(axis),
+        internal::homogeneous_powers(m_degree[axis], x, NT(NT(1) - x))));
   }
 
   //! returns the polynomial in another number type; the scaled coefficients are converted.
@@ -261,17 +216,15 @@ public:
   /// \name Ring operations
   /// @{
 
-  //! returns the sum.
-  friend Bernstein_polynomial operator+(const Bernstein_polynomial& p,
-                                        const Bernstein_polynomial& q)
+  //! adds `q`; there is the sum of two as well.
+  Bernstein_polynomial& operator+=(const Bernstein_polynomial& q)
   {
-    return combined(p, q, [](NT& a, const NT& b) { a += b; });
+    return combine(q, [](NT& a, const NT& b) { a += b; });
   }
-  //! returns the difference.
-  friend Bernstein_polynomial operator-(const Bernstein_polynomial& p,
-                                        const Bernstein_polynomial& q)
+  //! subtracts `q`; there is the difference of two as well.
+  Bernstein_polynomial& operator-=(const Bernstein_polynomial& q)
   {
-    return combined(p, q, [](NT& a, const NT& b) { a -= b; });
+    return combine(q, [](NT& a, const NT& b) { a -= b; });
   }
   //! returns the negative.
   friend Bernstein_polynomial operator-(Bernstein_polynomial p)
@@ -284,62 +237,44 @@ public:
   friend Bernstein_polynomial operator*(const Bernstein_polynomial& p,
                                         const Bernstein_polynomial& q)
   {
-    Bernstein_polynomial r;
+    Degree degree;
     for (int axis = 0; axis < d; ++axis)
-      r.m_degree[axis] = p.m_degree[axis] + q.m_degree[axis];
-    r.m_scaled = internal::multiply_arrays(p.m_degree, p.m_scaled, q.m_degree, q.m_scaled);
-    return r;
+      degree[axis] = p.m_degree[axis] + q.m_degree[axis];
+    return from_scaled_coefficients(
+      degree, internal::multiply_arrays(p.m_degree, p.m_scaled, q.m_degree, q.m_scaled));
   }
-  //! adds `q`.
-  Bernstein_polynomial& operator+=(const Bernstein_polynomial& q) { return *this = *this + q; }
-  //! subtracts `q`.
-  Bernstein_polynomial& operator-=(const Bernstein_polynomial& q) { return *this = *this - q; }
   //! multiplies by `q`.
   Bernstein_polynomial& operator*=(const Bernstein_polynomial& q) { return *this = *this * q; }
 
   /// @}
 
 private:
-  template <class, int> friend class Bernstein_polynomial;
-
-  std::size_t position(const Index& index) const
+  internal::Axis_layout layout(int axis) const
   {
-    std::size_t at = 0;
-    for (int axis = 0; axis < d; ++axis)
-    {
-      CGAL_precondition_msg(0 <= index[axis] && index[axis] <= m_degree[axis],
-                            "there is no such coefficient");
-      at = at * (m_degree[axis] + 1) + index[axis];
-    }
-    return at;
+    return internal::axis_layout(m_degree, axis);
   }
 
-  // The polynomial with each line along the axis replaced.
-  template <class Write>
-  Bernstein_polynomial with_lines(int axis, int degree, Write write) const
+  // The polynomial with other lines along the axis.
+  Bernstein_polynomial with_lines(int axis, int degree, std::vector<NT> scaled) const
   {
-    Bernstein_polynomial p;
-    p.m_degree = m_degree;
-    p.m_degree[axis] = degree;
-    p.m_scaled = internal::change_lines(m_scaled, internal::axis_layout(m_degree, axis),
-                                        degree + std::size_t(1), write);
-    return p;
+    Degree degrees = m_degree;
+    degrees[axis] = degree;
+    return from_scaled_coefficients(degrees, std::move(scaled));
   }
 
   template <class Combine>
-  static Bernstein_polynomial combined(const Bernstein_polynomial& p,
-                                       const Bernstein_polynomial& q, Combine combine)
+  Bernstein_polynomial& combine(const Bernstein_polynomial& q, Combine combine)
   {
     Degree degree;
     for (int axis = 0; axis < d; ++axis)
-      degree[axis] = (std::max)(p.m_degree[axis], q.m_degree[axis]);
-    Bernstein_polynomial sum = p.elevated(degree);
-    if (q.m_degree == degree)
-      for (std::size_t i = 0; i < sum.m_scaled.size(); ++i)
-        combine(sum.m_scaled[i], q.m_scaled[i]);
-    else
-      return combined(sum, q.elevated(degree), combine);
-    return sum;
+      degree[axis] = (std::max)(m_degree[axis], q.m_degree[axis]);
+    if (m_degree != degree)
+      *this = elevated(degree);
+    if (q.m_degree != degree)
+      return this->combine(q.elevated(degree), combine);
+    for (std::size_t i = 0; i < m_scaled.size(); ++i)
+      combine(m_scaled[i], q.m_scaled[i]);
+    return *this;
   }
 
   Degree m_degree;

@@ -12,7 +12,7 @@
 // The polynomial whose zero set is asked for, exactly: its signs at points, and its parts on cells
 // rounded once. All coordinates are doubles, multiples of 2^-52 in the unit interval.
 
-#include <CGAL/Shape_interrogation/Bernstein/Bernstein_polynomial.h>
+#include <CGAL/Shape_interrogation/Bernstein/homogeneous_parameters.h>
 #include <CGAL/Shape_interrogation/Contours/internal/Cell_polynomial.h>
 
 #include <CGAL/Exact_integer.h>
@@ -69,7 +69,7 @@ public:
     const std::array<Exact_integer, 2> at{x.numerators[0], x.numerators[1]};
     const std::array<Exact_integer, 2> rest{Exact_integer(x.denominator - at[0]),
                                             Exact_integer(x.denominator - at[1])};
-    return CGAL::sign(m_f.at_homogeneous(at, rest));
+    return CGAL::sign(value_homogeneous(m_f, at, rest));
   }
 
   // The polynomial, up to a positive factor, on the line where the variable `axis` has the value
@@ -77,9 +77,9 @@ public:
   Integer_polynomial_1 on_segment(int axis, double x, double from, double to) const
   {
     const Dyadic_numbers at{x}, ends{from, to};
-    return m_f
-      .fixed_homogeneous(axis, at.numerators[0], at.denominator - at.numerators[0])
-      .restricted_homogeneous(0, ends.numerators[0], ends.numerators[1], ends.denominator);
+    const Exact_integer rest = at.denominator - at.numerators[0];
+    return restricted_homogeneous(fixed_homogeneous(m_f, axis, at.numerators[0], rest), 0,
+                                  ends.numerators[0], ends.numerators[1], ends.denominator);
   }
 
   // The polynomial on a cell, up to a positive factor.
@@ -90,7 +90,8 @@ public:
       if (box.width(axis) != 1)
       {
         const Dyadic_numbers x{box.low[axis], box.high[axis]};
-        part = part.restricted_homogeneous(axis, x.numerators[0], x.numerators[1], x.denominator);
+        part =
+          restricted_homogeneous(part, axis, x.numerators[0], x.numerators[1], x.denominator);
       }
     return rounded(part);
   }
