@@ -37,12 +37,13 @@ struct Signed_scalar
   std::optional<Scalar> squared;
 };
 
-// The proof of a point of a system that was asked for by an approximate one.
+// The proof of a point of a surface that was asked for by an approximate one.
 struct Enclosure_answer
 {
   std::vector<Scalar> box;                           // one interval a variable
   std::vector<std::pair<std::string, Scalar>> fixed; // the variables that are held, and where
   std::vector<int> equations;                        // of the proof, counted from 1
+  std::vector<int> proved;                           // the others that identities prove
   std::vector<int> others;                           // whose enclosures contain zero
 };
 

@@ -12,6 +12,7 @@
 // A model as it was read and checked: surfaces, curves and tasks, with all numbers still exact.
 
 #include <CGAL/Shape_interrogation/Constraints/Constraint_system.h>
+#include <CGAL/Shape_interrogation/Property_surfaces/Property.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_bound.h>
 
 #include <array>
@@ -118,7 +119,7 @@ struct Curvature_task
 {
   std::string surface, curve; // one of them is empty
   std::vector<Number> at;
-  bool enclose = false; // the proved point of a system near `at`
+  bool enclose = false; // the proved point near `at`
   std::optional<std::vector<Number>> direction;
 };
 
@@ -155,6 +156,20 @@ struct Line_task
   std::string file; // or empty
 };
 
+// The tasks `property` and `bound`.
+struct Property_task
+{
+  std::string surface;
+  si::Property property;
+  Numbers<3> up, view, light;
+  std::optional<Numbers<3>> eye;
+  Number level;
+  std::optional<std::vector<Number>> at;
+  std::string file; // or empty
+  std::optional<Number> bound;
+  bool is_upper = true; // the bound is `at_most`
+};
+
 // What the format knows and this version does not offer: the sentence that says so.
 struct Unsupported_task
 {
@@ -166,7 +181,8 @@ struct Task
   std::string id;
   std::string kind;
   std::optional<Number_type> number_type;
-  std::variant<Curvature_task, Shape_operator_task, Mesh_task, Line_task, Unsupported_task>
+  std::variant<Curvature_task, Shape_operator_task, Mesh_task, Line_task, Property_task,
+               Unsupported_task>
     data;
 };
 

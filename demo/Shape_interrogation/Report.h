@@ -52,8 +52,11 @@ Report_json to_json(const std::array<T, n>& values)
 void store(const Surface_answer& answer, Task_result& result);
 void store(const Curve_answer& answer, Task_result& result);
 
-// Makes the directory, and writes report.json into it, all or nothing. Both throw
-// std::runtime_error with one sentence.
+// Writes a file of JSON, all or nothing. Throws std::runtime_error with one sentence, as do those
+// that follow.
+void write_json(const std::filesystem::path& file, const Report_json& json);
+
+// Makes the directory, and writes report.json into it, all or nothing.
 void make_directory(const std::filesystem::path& directory);
 void write_report(const std::filesystem::path& directory, const std::string& version,
                   const std::string& model, const std::vector<Task_result>& results);

@@ -13,6 +13,8 @@
 
 #include <CGAL/Shape_interrogation/Surfaces/N_space_refinement.h>
 
+#include <CGAL/Shape_interrogation/Constraints/prove_by_identities.h>
+
 #include <algorithm>
 
 namespace interrogate {
@@ -105,13 +107,27 @@ Surface_answer united(const Surface_answer& a, const Surface_answer& b)
 si::Result<Enclosed_place> enclose_place(const Surface_model& surface, const Curvature_task& task)
 {
   Enclosed_place place;
-  place.surface = make_surface(std::get<System_model>(surface.data), surface.orient);
+  const auto* system = std::get_if<System_model>(&surface.data);
+  if (system)
+  {
+    place.surface = make_surface(*system, surface.orient);
+    place.bounds = system->bounds;
+  }
+  else
+  {
+    const auto& implicit = std::get<Implicit_model>(surface.data);
+    place.surface =
+      si::N_space_surface_3(si::N_space_system(implicit.variables, {implicit.f}));
+    place.implicit = make_surface(implicit);
+  }
   place.flip = surface.flip;
   const auto enclosure =
     si::enclose_solution(place.surface->system(), evaluate<double>(task.at));
   if (!enclosure)
     return enclosure.refusal();
-  place.enclosure = *enclosure;
+  const bool has_identities = system && system->constraints;
+  place.enclosure =
+    has_identities ? si::prove_by_identities(*system->constraints, *enclosure) : *enclosure;
   return place;
 }
 
@@ -125,6 +141,8 @@ Enclosure_answer describe_enclosure(const Enclosed_place& place)
                          make_scalar(place.enclosure.values[i]));
   for (int k : place.enclosure.equations)
     a.equations.push_back(k + 1);
+  for (int k : place.enclosure.others_proved)
+    a.proved.push_back(k + 1);
   for (int k : place.enclosure.others_contain_zero)
     a.others.push_back(k + 1);
   return a;

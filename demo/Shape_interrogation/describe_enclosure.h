@@ -14,6 +14,7 @@
 #include "describe_shape.h"
 #include "system_shapes.h"
 
+#include <CGAL/Shape_interrogation/Surfaces/N_space_bound.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_enclosure.h>
 
 #include <vector>
@@ -23,6 +24,9 @@ namespace interrogate {
 struct Enclosed_place
 {
   std::optional<si::N_space_surface_3> surface;
+  std::vector<si::N_space_bound> bounds;
+  // The same with the gradient for its normal, if it is f = 0 in space.
+  std::optional<si::Implicit_surface_3<si::Expression_function<3>>> implicit;
   bool flip = false;
   si::N_space_enclosure enclosure;
 };
@@ -35,12 +39,27 @@ Enclosure_answer describe_enclosure(const Enclosed_place& place);
 // What is true on both sides of a surface of which the side is undecided.
 Surface_answer united(const Surface_answer& a, const Surface_answer& b);
 
+template <class NT>
+si::Result<si::Unoriented_shape_3<NT>> shape_in_box(const Enclosed_place& place,
+                                                    const std::vector<NT>& box)
+{
+  if (!place.implicit)
+    return place.surface->unoriented(box);
+  const si::Result<si::Local_shape_3<NT>> shape = (*place.implicit)(first<3>(box));
+  if (!shape)
+    return shape.refusal();
+  return si::Unoriented_shape_3<NT>(*shape, true);
+}
+
 // All about the surface in a box that contains the point, except for the proof.
 template <class NT>
 si::Result<Surface_answer> describe_in_box(const Enclosed_place& place, const Curvature_task& task,
                                            const std::vector<NT>& box)
 {
-  const auto unoriented = place.surface->unoriented(box);
+  if (auto refusal = si::refuse_outside_bounds(box, place.bounds,
+                                               place.surface->system().variables()))
+    return *refusal;
+  const auto unoriented = shape_in_box(place, box);
   if (!unoriented)
     return unoriented.refusal();
   const auto shape = place.flip ? unoriented->opposite() : *unoriented;

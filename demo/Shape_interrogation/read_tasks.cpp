@@ -21,10 +21,10 @@ namespace interrogate {
 namespace {
 
 const std::vector<std::string> task_kinds = {"curvature", "shape_operator", "mesh",
-                                             "line"};
+                                             "line", "property", "bound"};
 const std::vector<std::string> later_task_kinds = {
   "normalform", "foot_point", "intersection_curvature", "contact", "continuity", "audit",
-  "property", "bound", "contour", "trichotomy", "umbilics"};
+  "contour", "trichotomy", "umbilics"};
 
 const std::vector<std::string> number_types = {"exact", "interval", "double", "filtered"};
 
@@ -73,14 +73,8 @@ bool asks_for_enclosure(const Json_place& at, const Place_form& form)
     return false;
   if (form.field != std::string("point"))
     enclose->fail("a place with parameters is on the surface or curve: \"enclose\" is for points of"
-                  " a system");
+                  " a system or an implicit surface");
   return true;
-}
-
-Unsupported_task no_enclosure(const std::string& kind)
-{
-  return Unsupported_task{"\"enclose\" for the kind \"" + kind + "\" is not available in this"
-                          " version: it is for the kind \"system\""};
 }
 
 std::vector<Number> read_direction(const Json_place& place, std::size_t n)
@@ -107,8 +101,6 @@ Task_data read_surface_curvature(const Json_place& place, const Model& model)
   task.surface = name.string("");
   task.at = read_locator(at, form);
   task.enclose = asks_for_enclosure(at, form);
-  if (task.enclose && !system)
-    return no_enclosure("implicit");
   if (const std::optional<Json_place> direction = place.find("direction"))
     task.direction = read_direction(*direction, system ? system->variables.size() : 3);
   return task;
@@ -130,7 +122,8 @@ Task_data read_curve_curvature(const Json_place& place, const Model& model)
   task.curve = name.string("");
   task.at = read_locator(at, form);
   if (asks_for_enclosure(at, form))
-    return no_enclosure("implicit_2");
+    return Unsupported_task{"\"enclose\" for the kind \"implicit_2\" is not available in this"
+                            " version: it is for surfaces"};
   return task;
 }
 
@@ -160,6 +153,8 @@ Task_data read_data(const Json_place& place, const std::string& kind, const Mode
     return read_mesh(place, model);
   if (kind == "line")
     return read_line(place, model);
+  if (kind == "property" || kind == "bound")
+    return read_property(place, model, kind);
   place.field("task").expected("the kind of a task (" + listed(task_kinds) +
                                "; not in this version: " + listed(later_task_kinds) + ")");
 }

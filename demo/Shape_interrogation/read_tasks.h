@@ -25,6 +25,7 @@ using Task_data = decltype(Task::data);
 
 Task_data read_mesh(const Json_place& place, const Model& model);
 Task_data read_line(const Json_place& place, const Model& model);
+Task_data read_property(const Json_place& place, const Model& model, const std::string& kind);
 
 // Fails at a field that is none of these and none that all tasks have.
 void allow_task_fields(const Json_place& place, std::vector<std::string> fields);

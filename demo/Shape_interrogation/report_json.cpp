@@ -83,6 +83,7 @@ Report_json to_json(const Enclosure_answer& e)
   for (const auto& [variable, value] : e.fixed)
     json["fixed"][variable] = to_json(value);
   json["equations"] = e.equations;
+  json["proved_by_identities"] = e.proved;
   json["others_contain_zero"] = true; // else the point is refused
   json["others"] = e.others;
   return json;

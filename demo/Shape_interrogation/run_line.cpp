@@ -46,7 +46,10 @@ void store(const si::N_space_curve& curve, const std::vector<std::string>& varia
     json["ended"].push_back(name_of(end.reason));
     json["ends"].push_back({{"text", end.evidence}});
     if (!end.box.empty())
+    {
       json["ends"].back()["box"] = end.box;
+      json["ends"].back()["certified"] = false; // the box is an estimate
+    }
   }
   json["max_residual"] = {{"approx", curve.max_residual}, {"certified", false}};
   json["curvature"] = Report_json::array();

@@ -43,6 +43,8 @@ void dispatch(const Model& model, const Task& task, std::optional<Number_type> p
     run_mesh(model, *mesh, directory, progress, result);
   else if (const auto* line = std::get_if<Line_task>(&task.data))
     run_line(model, *line, directory, progress, result);
+  else if (const auto* property = std::get_if<Property_task>(&task.data))
+    run_property(model, *property, preferred, directory, result);
   else
     set_status(result, "error", "unsupported", std::get<Unsupported_task>(task.data).what);
 }

@@ -36,6 +36,10 @@ void run_mesh(const Model& model, const Mesh_task& task, const std::filesystem::
 void run_line(const Model& model, const Line_task& task, const std::filesystem::path& directory,
               Progress_bar& progress, Task_result& result);
 
+void run_property(const Model& model, const Property_task& task,
+                  std::optional<Number_type> preferred, const std::filesystem::path& directory,
+                  Task_result& result);
+
 // The path of a task's file, in a directory that is made for it; and what became of the file.
 std::string path_of(const std::filesystem::path& directory, const std::string& file);
 void store_file(const char* field, const std::string& file, const std::string& reason,

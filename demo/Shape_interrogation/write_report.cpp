@@ -72,9 +72,13 @@ void write_report(const std::filesystem::path& directory, const std::string& ver
   for (const Task_result& result : results)
     json["tasks"].push_back(to_json(result));
 
-  const std::filesystem::path file = directory / "report.json";
+  write_json(directory / "report.json", json);
+}
+
+void write_json(const std::filesystem::path& file, const Report_json& json)
+{
   const std::filesystem::path temporary =
-    directory / (".report.json." + std::to_string(getpid()));
+    file.parent_path() / ("." + file.filename().string() + "." + std::to_string(getpid()));
   errno = 0;
   std::ofstream out(temporary, std::ios::binary);
   out << dump(json);
@@ -86,7 +90,7 @@ void write_report(const std::filesystem::path& directory, const std::string& ver
   if (written || renamed)
   {
     std::filesystem::remove(temporary, ignored);
-    fail(file, "the report cannot be written", written ? written : renamed.value());
+    fail(file, "the file cannot be written", written ? written : renamed.value());
   }
 }
 

@@ -51,6 +51,9 @@
 #include <CGAL/Shape_interrogation/Curves/Knot_vector.h>
 #include <CGAL/Shape_interrogation/Curves/Nurbs_curve_2.h>
 #include <CGAL/Shape_interrogation/Curves/Parametric_curve_2.h>
+#include <CGAL/Shape_interrogation/Splines/Spline_function.h>
+#include <CGAL/Shape_interrogation/Splines/Spline_piece.h>
+#include <CGAL/Shape_interrogation/Splines/spline_algebra.h>
 #include <CGAL/Shape_interrogation/Surfaces/Bezier_surface_3.h>
 #include <CGAL/Shape_interrogation/Surfaces/Implicit_surface_3.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_batch.h>

@@ -798,6 +798,155 @@ TEST(Vocabulary, functors_and_normals)
             system.violated(Values{c, d, 1, c, d, 2}).at(0).sentence);
 }
 
+// --- What is refused -----------------------------------------------------------------------------
+
+template <class Function>
+std::string message(Function function)
+{
+  try
+  {
+    function();
+  }
+  catch (const Shape_error& error) { return error.what(); }
+  return "";
+}
+
+bool contains(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+// A variable in a given point would be an unknown of the construction.
+TEST(Refused, given_points_with_variables)
+{
+  const Expression x = Expression::variable(0);
+  const Entity_3 sphere = implicit("x^2+y^2+z^2-1");
+  const Constraint_point_3 moving{"m", {0, x, 0}}, heavy{"h", {1, 2, 3}, 1 + x * x};
+  for (const Constraint_point_3& p : {moving, heavy})
+  {
+    const std::string expected = "the given point " + p.name + " has a coordinate with variables";
+    EXPECT_TRUE(contains(message([&] { equal_distance(sphere, p); }), expected));
+    EXPECT_TRUE(contains(message([&] { equal_distance(sphere, implicit("z"), p); }), expected));
+    EXPECT_TRUE(contains(message([&] { offset_system(p, 1); }), expected));
+    EXPECT_TRUE(contains(message([&] { rolling_ball(p, sphere, 1); }), expected));
+    EXPECT_TRUE(contains(message([&] { variable_radius_blend(p, sphere, implicit("z")); }),
+                         expected));
+    EXPECT_TRUE(contains(message([&] { ruled_by_projection(curve("r", "0", "0"), sphere, p); }),
+                         expected));
+  }
+  const Constraint_point_3 root{"", {sqrt(Expression(2)), 1 - Expression::pi(), 0}};
+  EXPECT_EQ("", message([&] { equal_distance(sphere, root); }));
+  const Constraint_point_3 imaginary{"i", {sqrt(Expression(-2)), 0, 0}};
+  EXPECT_TRUE(contains(message([&] { equal_distance(sphere, imaginary); }),
+                       "a coordinate of the given point i is not a real number: sqrt"));
+  // In a system of one's own a point may be an unknown of it.
+  Constraint_system system;
+  const auto p = system.add_point("p");
+  EXPECT_EQ("", message([&] { add_foot_point(system, system.projected_point(), "f", p); }));
+}
+
+TEST(Refused, points_at_infinity)
+{
+  const Constraint_point_3 far{"far", {1, 0, 0}, 0}, a{"a", {1, 0, 0}}, b{"b", {2, 0, 0}};
+  EXPECT_TRUE(contains(message([&] { equal_distance(a, far); }), "far has the weight 0"));
+  EXPECT_TRUE(contains(message([&] { equal_distance(far, a); }), "far has the weight 0"));
+  Constraint_system system;
+  const auto& q = system.projected_point();
+  EXPECT_TRUE(contains(message([&] { require_equal_distances(system, q, far, a); }), "weight 0"));
+  EXPECT_TRUE(contains(message([&] { require_equal_distances(system, q, a, b, far); }),
+                       "weight 0"));
+  EXPECT_TRUE(contains(message([&] { require_distance(system, q, far, 1); }), "weight 0"));
+  EXPECT_EQ(0, system.number_of_equations());
+}
+
+TEST(Refused, distances_that_are_not_real)
+{
+  const Entity_3 sphere = implicit("x^2+y^2+z^2-1"), plane = implicit("z");
+  const Expression i2 = sqrt(Expression(-2)), x = Expression::variable(0);
+  const Expression nested = sqrt(sqrt(Expression(2)) - 2);
+  for (const Expression& d : {i2, Expression(3 * i2), Expression(i2 * sqrt(Expression(-3))),
+                              Expression(x * i2), nested, log(Expression(-1))})
+  {
+    EXPECT_TRUE(contains(message([&] { offset_system(sphere, d); }),
+                         "the distance of the offset is not a real number"))
+      << to_string(d);
+    EXPECT_TRUE(contains(message([&] { rolling_ball(sphere, plane, d); }),
+                         "the radius of the ball is not a real number"));
+    Constraint_system system;
+    const Constraint_point_3 o{"o", {0, 0, 0}};
+    EXPECT_TRUE(contains(
+      message([&] { require_distance(system, system.projected_point(), o, d); }),
+      "the distance of q and o is not a real number"));
+    EXPECT_EQ(0, system.number_of_equations());
+  }
+  for (const Expression& d : {sqrt(2 - sqrt(Expression(2))), sqrt(x), Expression(-3)})
+    EXPECT_EQ("", message([&] { offset_system(sphere, d); })) << to_string(d);
+}
+
+// A sentence that names both could not be told apart.
+TEST(Refused, two_entities_of_one_name)
+{
+  const auto named = [](auto entity, const std::string& name) {
+    entity.set_name(name);
+    return entity;
+  };
+  const auto sphere = named(implicit("x^2+y^2+z^2-1"), "f");
+  const auto plane = named(implicit("z"), "f");
+  const auto patch = named(parametric("s", "t", "s*t"), "f");
+  const auto line = named(curve("r", "0", "1"), "f");
+  const std::string expected = "something else with the name 'f'";
+  EXPECT_TRUE(contains(message([&] { equal_distance(sphere, plane); }), expected));
+  EXPECT_TRUE(contains(message([&] { equal_distance(sphere, patch); }), expected));
+  EXPECT_TRUE(contains(message([&] { rolling_ball(patch, line, 1); }), expected));
+  EXPECT_TRUE(contains(message([&] { trimming_surface(patch, sphere); }), expected));
+  EXPECT_TRUE(contains(message([&] { ruled_by_projection(line, patch, implicit("z")); }),
+                       expected));
+  EXPECT_TRUE(contains(
+    message([&] { variable_radius_blend(implicit("x"), implicit("y"), named(plane, "A")); }),
+    "'A'"));
+  const Constraint_point_3 a{"a", {1, 0, 0}}, other{"a", {2, 0, 0}}, q{"q", {3, 0, 0}};
+  EXPECT_TRUE(contains(message([&] { equal_distance(a, other); }), "'a'"));
+  EXPECT_TRUE(contains(message([&] { offset_system(q, 1); }), "'q'"));
+  // The same thing twice is one thing, also if it was made twice.
+  EXPECT_EQ("", message([&] { equal_distance(sphere, sphere); }));
+  EXPECT_EQ("", message([&] { equal_distance(patch, named(parametric("s", "t", "s*t"), "f")); }));
+  EXPECT_EQ("", message([&] { equal_distance(a, Constraint_point_3{"a", {1, 0, 0}}); }));
+  EXPECT_EQ("", message([&] { equal_distance(named(sphere, "q"), named(plane, "p_A")); }));
+}
+
+// A refusal leaves the system as it was.
+TEST(Refused, nothing_is_added)
+{
+  const auto sphere = implicit("x^2+y^2+z^2-1");
+  auto patch = parametric("s", "t", "s*t");
+  patch.set_name("f");
+  const auto line = curve("r", "0", "1");
+  Constraint_system system;
+  const auto& q = system.projected_point();
+  for (const char* name : {"a_z", "b_t", "c_r", "d_t"})
+    system.add_scalar(name);
+  const auto d = system.add_point("d");
+  auto other = sphere;
+  other.set_name("f");
+  require_on(system, q, other);
+  const auto expect_refused = [&](auto function) {
+    const std::vector<std::string> variables = system.variables();
+    const int equations = system.number_of_equations();
+    EXPECT_NE("", message(function));
+    EXPECT_EQ(variables, system.variables());
+    EXPECT_EQ(equations, system.number_of_equations());
+  };
+  expect_refused([&] { add_foot_point(system, q, "a", sphere); });
+  expect_refused([&] { add_foot_point(system, q, "b", patch); });
+  expect_refused([&] { add_foot_point(system, q, "c", line); });
+  expect_refused([&] { add_foot_point(system, q, "d", patch); });
+  expect_refused([&] { add_foot_point(system, q, "e", patch); }); // the name f
+  expect_refused([&] { require_foot_point(system, q, d, patch); });
+  expect_refused([&] { system.add_point("a"); });
+  expect_refused([&] { system.add_point("q"); });
+  EXPECT_EQ("", message([&] { add_foot_point(system, q, "e", line); }));
+}
+
 TEST(Identities, wrong_and_undecidable_ones)
 {
   Constraint_system system;

@@ -228,6 +228,33 @@ TEST(N_space_batch, refuses_too_few_equations)
   EXPECT_EQ(expect_answers_of_evaluator(system, {{0, 0, 0, 1}, {1, -1, 0, 2}, {1, 1, 2, -1}}), 3u);
 }
 
+// The squares of both large components are finite, their sum is not.
+TEST(N_space_batch, refuses_what_overflows)
+{
+  Names variables{"x", "y", "z"}, equations{"z-a54-b54"};
+  for (const std::string name : {"a", "b"})
+    for (int k = 54; k > 0; --k)
+    {
+      variables.push_back(name + std::to_string(k));
+      equations.push_back(name + std::to_string(k) + "-918*" +
+                          (k > 1 ? name + std::to_string(k - 1) : name == "a" ? "x" : "y"));
+    }
+  N_space_system system = system_of(variables, equations);
+  const std::vector<CGAL::Exact_rational> origin(variables.size(), 0);
+  ASSERT_TRUE(system.prepare(origin)); // by exact pivots, whatever their size
+  const Points points(5, std::vector<double>(variables.size(), 0.));
+  EXPECT_EQ(expect_answers_of_evaluator(system, points), points.size());
+}
+
+TEST(N_space_batch, refuses_coordinates_that_are_not_finite)
+{
+  const N_space_system system = system_of({"x", "y", "z"}, {"z-y^2"}); // x is free
+  const double nan = std::nan("");
+  EXPECT_EQ(expect_answers_of_evaluator(
+              system, {{1, 1, 1}, {nan, 0, 0}, {2, 0, 0}, {HUGE_VAL, 0, 0}, {-HUGE_VAL, 1, 1}}),
+            3u);
+}
+
 TEST(N_space_batch, reuses_its_result)
 {
   const N_space_system system = system_of({"x", "y", "z"}, {"z-x*y"});

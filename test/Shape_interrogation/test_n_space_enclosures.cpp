@@ -218,6 +218,25 @@ TEST(N_space_refinement, contains_the_point_in_as_many_bits_as_asked_for)
   EXPECT_EQ(Wide_precision::bits(), 106); // restored
 }
 
+// Numbers of few bits must not leave the box over which the derivatives were enclosed.
+TEST(N_space_refinement, keeps_to_the_box_in_few_bits)
+{
+  const Rational_example example;
+  auto e = enclose_solution(example.system, example.start(), example.fixed);
+  ASSERT_TRUE(e) << e.refusal().evidence();
+  N_space_refinement refine(example.system, *e);
+  for (int bits : {2, 5, 11, 200, 2})
+  {
+    const auto box = refine(bits);
+    ASSERT_TRUE(box) << box.refusal().evidence();
+    for (std::size_t i = 0; i < box->size(); ++i)
+    {
+      const auto ends = (*box)[i].ends();
+      EXPECT_TRUE(e->box[i].inf() <= ends.first && ends.second <= e->box[i].sup()) << bits;
+    }
+  }
+}
+
 TEST(N_space_refinement, refuses_a_box_without_the_point)
 {
   const Rational_example example;
@@ -343,6 +362,35 @@ TEST(Prove_by_identities, proves_the_redundant_projections)
     proved += static_cast<int>(p.others_proved.size());
   }
   EXPECT_EQ(proved, 100);
+}
+
+// (g / w) w - g vanishes where w does not. On w = 0 it tells nothing of g.
+TEST(Prove_by_identities, proves_nothing_at_a_pole)
+{
+  Constraint_system constraints;
+  const Expression w = constraints.add_scalar("w");
+  const Expression x = Expression::variable(0), y = Expression::variable(1),
+                   z = Expression::variable(2);
+  const Expression e = w - x * x, g = z - x * y - Expression(Q(1) / (Q(1) << 200));
+  constraints.add(Constraint("z", "x y", {z - x * y}));
+  constraints.add(Constraint("w", "x^2", {e, g}, 1, {{g / e, Expression(-1)}}));
+  const auto box = enclose_solution(constraints.n_space_system(), {1.3, 1.7, 2.2, 1.7});
+  ASSERT_TRUE(box) << box.refusal().evidence();
+  ASSERT_EQ(box->equations, (std::vector<int>{0, 1}));
+  const N_space_enclosure proved = prove_by_identities(constraints, *box);
+  EXPECT_TRUE(proved.others_proved.empty());
+  EXPECT_EQ(proved.others_contain_zero, std::vector<int>{2}); // where it is not zero
+}
+
+// An enclosure must not be certain of a rank that its own factors do not confirm.
+TEST(N_space_evaluator, does_not_doubt_the_dimension_of_nearly_dependent_gradients)
+{
+  const N_space_system system = make_system(
+    {"x", "y", "z", "w", "v"}, {"3*x + w + z^2", "3*x + (1 + 2^(-52))*w + z^2", "v - y^2"});
+  EXPECT_TRUE(N_space_evaluator<Q>(system)(std::vector<Q>(5, Q(0))));
+  Interval::Protector protector;
+  const auto s = N_space_evaluator<Interval>(system).unoriented(std::vector<Interval>(5, 0));
+  EXPECT_TRUE(s || s.refusal().code() == Refusal_code::UNDECIDED);
 }
 
 TEST(Prove_by_identities, proves_nothing_without_a_coefficient)

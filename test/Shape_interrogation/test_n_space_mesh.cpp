@@ -315,6 +315,53 @@ TEST(N_space_mesh, Inner_offsets_with_cuspidal_edges_are_ellipsoids_upstairs)
   }
 }
 
+// The folds of a closed surface are closed, however few triangles there are between them.
+TEST(N_space_mesh, Folds_have_no_gaps_in_coarse_meshes)
+{
+  const Implicit_entity_3 ellipsoid([](auto x, auto y, auto z) {
+    return 4 * x * x + 9 * y * y + 36 * z * z - 36;
+  });
+  const N_space_system system = offset_system(ellipsoid, Q(5) / 2).n_space_system();
+  for (double edge_length : {0.25, 0.3, 0.5, 0.7})
+  {
+    SCOPED_TRACE(edge_length);
+    const auto mesh = mesh_of(system, {{0.5, 0, 0, 3, 0, 0}}, edge_length);
+    ASSERT_TRUE(mesh) << mesh.refusal().evidence();
+    EXPECT_EQ(mesh->report.euler_characteristic, 2);
+    EXPECT_EQ(mesh->folds.size(), 4u);
+    for (const N_space_polyline& fold : mesh->folds)
+      EXPECT_TRUE(fold.closed);
+    for (const N_space_stop& stop : mesh->stops)
+      EXPECT_NE(stop.evidence, "a fold could not be followed");
+  }
+}
+
+// Where the plane turns fast, the vertices on the bound come as near to each other as those inside,
+// in one row, and the mesh ends there only.
+TEST(N_space_mesh, Coarse_saddle_on_a_disk_ends_at_the_bound)
+{
+  const std::vector<std::string> names{"x", "y", "z", "w"};
+  const N_space_system system(names, {parse_expression("z - x^2 + y^2", names),
+                                      parse_expression("w - x^2 - y^2", names)});
+  Random random(7);
+  for (double edge_length : {0.3, 0.4})
+    for (int i = 0; i < 8; ++i)
+    {
+      const double x = random.real(-0.6, 0.6), y = random.real(-0.6, 0.6);
+      SCOPED_TRACE(testing::Message() << edge_length << " from " << x << ", " << y);
+      const auto mesh = mesh_of(system, {{x, y, x * x - y * y, x * x + y * y}}, edge_length,
+                                {{3, -1, 1}});
+      ASSERT_TRUE(mesh) << mesh.refusal().evidence();
+      EXPECT_TRUE(mesh->rims.empty());
+      EXPECT_TRUE(mesh->stops.empty());
+      EXPECT_EQ(mesh->report.euler_characteristic, 1);
+      Mesh copy = mesh->surface_mesh;
+      const N_space_property_maps maps(copy);
+      for (const auto v : copy.vertices())
+        EXPECT_EQ(maps.n_space_point[v][3] == 1, copy.is_border(v, true));
+    }
+}
+
 TEST(N_space_mesh, Patch_as_a_system)
 {
   const auto map = [](auto u, auto v) {

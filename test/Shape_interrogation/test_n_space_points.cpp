@@ -17,8 +17,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -134,6 +136,153 @@ TEST(N_space_corrector, refuses)
   EXPECT_STREQ(code(make_system(xyz, {"z"}), {0, 0}), "not_on_solution");
   EXPECT_STREQ(code(make_system({"x", "y", "z", "w"}, {"z"}), {0, 0, 0, 0}), "underdetermined");
   EXPECT_STREQ(code(make_system(xyz, {"z^9 - x"}), {0, 0, 1e200}), "limit_exceeded");
+}
+
+// Equations that do not depend on a coordinate do not tell that it is no number.
+TEST(N_space_evaluator, refuses_coordinates_that_are_not_finite)
+{
+  const N_space_system parabola = make_system({"x", "y", "z"}, {"z - y^2"});
+  const N_space_system wave = make_system({"x", "y", "z"}, {"z - exp(x)"});
+  for (double x : {std::nan(""), HUGE_VAL, -HUGE_VAL})
+    for (const N_space_system* system : {&parabola, &wave})
+    {
+      const Point p{x, 0, 0};
+      for (const auto& refusal : {N_space_evaluator<double>(*system)(p).refusal(),
+                                  N_space_corrector(*system)(p).refusal(),
+                                  enclose_solution(*system, p).refusal()})
+      {
+        EXPECT_EQ(refusal.code(), Refusal_code::LIMIT_EXCEEDED);
+        EXPECT_NE(refusal.evidence().find("coordinate x"), std::string::npos);
+      }
+    }
+  EXPECT_TRUE(N_space_evaluator<double>(parabola)({1, 0, 0}));
+}
+
+// A step that leads out of the domain of a function is damped.
+TEST(N_space_corrector, stays_where_the_equations_have_values)
+{
+  const auto corrected = [](const std::string& equation, const Point& start, double z) {
+    const N_space_system system = make_system({"x", "y", "z"}, {equation});
+    return N_space_corrector(system)(start, {N_space_condition::fixed(3, 2, z),
+                                             N_space_condition::fixed(3, 1, 0)});
+  };
+  const auto logarithm = corrected("log(x) - z", {1, 0, 0}, -3);
+  ASSERT_TRUE(logarithm) << logarithm.refusal().evidence();
+  EXPECT_NEAR(logarithm->point[0], std::exp(-3), 1e-12);
+  const auto root = corrected("sqrt(x) - z", {1, 0, 1}, 0.1);
+  ASSERT_TRUE(root) << root.refusal().evidence();
+  EXPECT_NEAR(root->point[0], 0.01, 1e-12);
+  const auto pole = corrected("1/x - z", {1, 0, 1}, 2); // the first step leads to x = 0
+  ASSERT_TRUE(pole) << pole.refusal().evidence();
+  EXPECT_NEAR(pole->point[0], 0.5, 1e-12);
+  EXPECT_FALSE(corrected("log(x) - z", {0, 0, 0}, 0)) << "no value at the start";
+}
+
+TEST(N_space_corrector, tells_which_condition_is_missed)
+{
+  const N_space_system plane = make_system({"x", "y", "z"}, {"x - z"});
+  const auto p = N_space_corrector(plane)(
+    {1, 0, 1}, {N_space_condition::fixed(3, 1, 1), N_space_condition::fixed(3, 1, 0)});
+  ASSERT_FALSE(p);
+  EXPECT_NE(p.refusal().evidence().find("condition"), std::string::npos) << p.refusal().evidence();
+}
+
+// --- The order of elimination --------------------------------------------------------------------
+
+// Replays the pivots on the full matrix: none may have a larger (r - 1)(c - 1) than another entry.
+void expect_smallest_fill(const Sparse_pattern& pattern, int columns, const std::vector<Q>& values)
+{
+  const internal::Elimination_plan plan = internal::plan_elimination(pattern, columns, values);
+  const int rows = static_cast<int>(pattern.number_of_rows());
+  std::vector<std::vector<Q>> a(rows, std::vector<Q>(columns, Q(0)));
+  std::vector<std::vector<bool>> is_entry(rows, std::vector<bool>(columns, false));
+  for (int i = 0; i < rows; ++i)
+    for (std::size_t e = pattern.row_starts[i]; e < pattern.row_starts[i + 1]; ++e)
+    {
+      a[i][pattern.columns[e]] = values[e];
+      is_entry[i][pattern.columns[e]] = true;
+    }
+  std::vector<bool> active(rows, true);
+  const auto cost = [&](int i, int j) {
+    int in_column = 0;
+    for (int k = 0; k < rows; ++k)
+      in_column += active[k] && is_entry[k][j];
+    return (std::count(is_entry[i].begin(), is_entry[i].end(), true) - 1) * (in_column - 1);
+  };
+  const auto best_cost = [&] {
+    long best = -1;
+    for (int i = 0; i < rows; ++i)
+      for (int j = 0; active[i] && j < columns; ++j)
+        if (a[i][j] != 0 && (best < 0 || cost(i, j) < best))
+          best = cost(i, j);
+    return best;
+  };
+  for (const auto& pivot : plan.pivots)
+  {
+    ASSERT_TRUE(active[pivot.row] && a[pivot.row][pivot.column] != 0);
+    ASSERT_EQ(cost(pivot.row, pivot.column), best_cost());
+    active[pivot.row] = false;
+    for (int i = 0; i < rows; ++i)
+    {
+      if (!active[i] || !is_entry[i][pivot.column])
+        continue;
+      const Q factor = a[i][pivot.column] / a[pivot.row][pivot.column];
+      for (int j = 0; j < columns; ++j)
+        if (is_entry[pivot.row][j])
+        {
+          a[i][j] -= factor * a[pivot.row][j];
+          is_entry[i][j] = j != pivot.column;
+        }
+    }
+  }
+  EXPECT_EQ(best_cost(), -1) << "nothing is left";
+}
+
+TEST(Plan_elimination, keeps_the_fill_small)
+{
+  Random random(20261123);
+  for (int k = 0; k < 200; ++k)
+  {
+    const int rows = random.integer(1, 14), columns = random.integer(3, 14);
+    const int percent = random.integer(5, 80);
+    Sparse_pattern pattern;
+    std::vector<Q> values;
+    for (int i = 0; i < rows; ++i)
+    {
+      for (int j = 0; j < columns; ++j)
+        if (random.integer(0, 99) < percent)
+        {
+          pattern.columns.push_back(j);
+          values.push_back(Q(random.integer(-2, 2)));
+        }
+      pattern.row_starts.push_back(pattern.columns.size());
+    }
+    SCOPED_TRACE(k);
+    expect_smallest_fill(pattern, columns, values);
+  }
+}
+
+// One column is in all rows; the work must not grow with the square of their number.
+TEST(Plan_elimination, takes_chains_of_any_length)
+{
+  const int n = 30000;
+  Sparse_pattern pattern;
+  std::vector<double> values;
+  for (int i = 3; i < n; ++i)
+  {
+    const std::vector<std::pair<int, double>> row =
+      i == 3 ? std::vector<std::pair<int, double>>{{0, -1}, {1, -0.75}, {3, 1}}
+             : std::vector<std::pair<int, double>>{{1, -0.75}, {i - 1, -1}, {i, 1}};
+    for (const auto& [column, value] : row)
+    {
+      pattern.columns.push_back(column);
+      values.push_back(value);
+    }
+    pattern.row_starts.push_back(pattern.columns.size());
+  }
+  const internal::Elimination_plan plan = internal::plan_elimination(pattern, n, values);
+  EXPECT_EQ(plan.rank(), n - 3);
+  EXPECT_LT(plan.updates.size(), 4u * n);
 }
 
 // --- Enclosures ----------------------------------------------------------------------------------

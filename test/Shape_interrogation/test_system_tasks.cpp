@@ -367,6 +367,8 @@ TEST_F(System_tasks, lines_of_two_surfaces)
   EXPECT_EQ(patch["ended"][0], "bound");
   EXPECT_EQ(patch["ended"][1], "singular");
   EXPECT_EQ(patch["ends"][1]["box"].size(), 5u);
+  EXPECT_EQ(patch["ends"][1]["certified"], false); // the box is an estimate
+  EXPECT_FALSE(patch["ends"][0].contains("certified"));
   const Report_json strip = answer(line_of(
     "intersection", R"(s":["strip","sphere"])",
     R"("start":[{"parameters":[1,1.3]},{"point":[1,1.3,1.3]}],"step":"1/10")"));

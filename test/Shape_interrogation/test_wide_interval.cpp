@@ -94,6 +94,41 @@ TEST(Wide_interval, converts)
   EXPECT_EQ(text.str(), "[2;2]");
 }
 
+// What has no bounds or no value is the whole line, and no number that is none comes out of it.
+TEST(Wide_interval, is_unbounded_where_it_has_to_be)
+{
+  const double infinity = HUGE_VAL;
+  const std::pair<double, double> line(-infinity, infinity);
+  for (double x : {infinity, -infinity, std::nan("")})
+  {
+    EXPECT_EQ(Wide(x).ends(), line);
+    EXPECT_EQ((Wide(x) - Wide(x)).ends(), line);
+    EXPECT_EQ(internal::nonnegative_part(Wide(x)).ends(), (std::pair<double, double>(0, infinity)));
+    EXPECT_EQ(number_cast<double>(Wide(x)), 0);
+    EXPECT_EQ(Wide(x).middle().ends(), (std::pair<double, double>(0, 0)));
+    Wide one(1);
+    EXPECT_TRUE(one.intersect(Wide(x) - Wide(x)));
+    EXPECT_EQ(one.ends(), (std::pair<double, double>(1, 1)));
+  }
+  const Wide ray(CGAL::Interval_nt<false>(1, infinity));
+  EXPECT_EQ(ray.middle().ends(), (std::pair<double, double>(1, 1)));
+  EXPECT_TRUE(std::isfinite(number_cast<double>(ray)));
+  EXPECT_TRUE(std::isfinite(number_cast<double>(Elementary_functions<Wide>::exp(Wide(1e300)))));
+  EXPECT_EQ((ray - ray).ends(), line);
+}
+
+TEST(Wide_interval, has_its_middle_inside)
+{
+  const auto third = [] {
+    const Wide_precision precision(300);
+    return Wide(Q(1) / 3);
+  }();
+  const Wide_precision precision(20);
+  Wide middle = third.middle();
+  const Wide_precision wide(400);
+  EXPECT_TRUE(middle.intersect(third));
+}
+
 TEST(Wide_interval, unites_and_intersects)
 {
   Wide x = hull(Wide(1), Wide(3));

@@ -14,6 +14,7 @@
 
 #include <CGAL/Shape_interrogation/Constraints/Constraint.h>
 #include <CGAL/Shape_interrogation/Constraints/Constraint_point_3.h>
+#include <CGAL/Shape_interrogation/Constraints/internal/Entity_names.h>
 #include <CGAL/Shape_interrogation/Constraints/internal/variable_name.h>
 #include <CGAL/Shape_interrogation/Number_types/Number_type_traits.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_system.h>
@@ -55,6 +56,10 @@ bool exceeds(const NT& residual, const NT& tolerance)
  * variables `p_x`, `p_y`, `p_z`; an unknown number has the variable of its name. Variables are
  * numbered in the order in which they are added. These names are what bounds and messages refer to.
  *
+ * <b>Names.</b> Sentences call surfaces, curves and points by their names, so that in one system a
+ * name stands for one of them: the functions that add constraints throw a `Shape_error` if it
+ * already stands for another one. Things without a name are not told apart.
+ *
  * Constraints are added by the functions `require_on()`, `require_projection()`,
  * `require_distance()` and the like, or with equations of one's own by `add()`.
  *
@@ -71,6 +76,7 @@ public:
   {
     m_projected = {std::move(projected_point),
                    {add_scalar("x"), add_scalar("y"), add_scalar("z")}};
+    m_names.add_point(m_projected);
   }
 
   //! adds an unknown number and returns its variable.
@@ -83,12 +89,17 @@ public:
   }
 
   //! adds an unknown point and returns it.
-  //! \exception Shape_error as `add_scalar()`; nothing is added then
+  //! \exception Shape_error as `add_scalar()`, or if another point has the name; nothing is added
+  //! then
   Constraint_point_3 add_point(const std::string& name)
   {
     for (const char* coordinate : {"_x", "_y", "_z"})
       internal::check_new_variable(name + coordinate, m_variables);
-    return {name, {add_scalar(name + "_x"), add_scalar(name + "_y"), add_scalar(name + "_z")}};
+    m_names.check_new_point(name);
+    const Constraint_point_3 p{
+      name, {add_scalar(name + "_x"), add_scalar(name + "_y"), add_scalar(name + "_z")}};
+    m_names.add_point(p);
+    return p;
   }
 
   //! adds a constraint and returns its index.
@@ -185,12 +196,17 @@ public:
 
   /// @}
 
+#ifndef DOXYGEN_RUNNING
+  internal::Entity_names& names() { return m_names; }
+#endif
+
 private:
   std::vector<std::string> m_variables;
   Constraint_point_3 m_projected;
   std::vector<Constraint> m_constraints;
   std::vector<int> m_first_equation;
   std::vector<Expression> m_equations;
+  internal::Entity_names m_names;
 };
 
 } // namespace Shape_interrogation

@@ -14,6 +14,7 @@
 #include <CGAL/Shape_interrogation/Constraints/Curve_entity_3.h>
 #include <CGAL/Shape_interrogation/Constraints/Implicit_entity_3.h>
 #include <CGAL/Shape_interrogation/Constraints/Parametric_entity_3.h>
+#include <CGAL/Shape_interrogation/Constraints/internal/constant_parts.h>
 
 #include <string>
 #include <type_traits>
@@ -34,9 +35,23 @@ using Entity_3 =
 #ifndef DOXYGEN_RUNNING
 namespace internal {
 
-// The same entity, which has the given name if it had none.
+// A construction has unknowns of its own, which are not what variables of a given point mean.
+inline void check_given(const Constraint_point_3& p)
+{
+  const std::string what = "the given point " + p.name;
+  for (const Expression& x : {p.coordinates[0], p.coordinates[1], p.coordinates[2], p.weight})
+  {
+    if (has_variables(x))
+      throw Shape_error(what + " has a coordinate with variables: expected numbers");
+    check_real(x, "a coordinate of " + what);
+  }
+  if (p.weight.is_constant() && CGAL::is_zero(p.weight.constant()))
+    throw Shape_error(what + " has the weight 0: expected a point that is not at infinity");
+}
+
+// A member of a construction, which gets the given name if it has none.
 template <class Entity>
-Entity with_name(Entity entity, const std::string& name)
+Entity given(Entity entity, const std::string& name)
 {
   std::visit(
     [&](auto& e) {
@@ -44,6 +59,7 @@ Entity with_name(Entity entity, const std::string& name)
       {
         if (e.name.empty())
           e.name = name;
+        check_given(e);
       }
       else if (e.name().empty())
         e.set_name(name);

@@ -80,6 +80,9 @@ public:
   const std::string& name() const { return m_name; }
   //! changes the name.
   void set_name(std::string name) { m_name = std::move(name); }
+  //! returns \f$ X, Y, Z, W \f$ in the variables 0 and 1; a constant weight is divided by, and 1
+  //! then.
+  std::vector<Expression> functions() const { return m_map.functions(); }
 
   //! returns the point with the given parameters, under the name `name`.
   Constraint_point_3 point(const std::string& name, const Parameters& st) const

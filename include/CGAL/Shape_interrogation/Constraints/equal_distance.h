@@ -25,13 +25,16 @@ namespace Shape_interrogation {
  * \f$ |q - p_A| = |q - p_B| \f$. The variables are `x y z`, those of `p_A` and those of `p_B`: see
  * `add_foot_point()`. Projections need not be nearest points: the solutions have several sheets,
  * one for each choice of projections.
+ *
+ * \exception Shape_error if a point is not given by numbers or has the weight zero, or if two
+ * different entities have one name
  */
 inline Constraint_system equal_distance(const Entity_3& a, const Entity_3& b)
 {
   Constraint_system system;
   const Constraint_point_3& q = system.projected_point();
-  const Constraint_point_3 pa = add_foot_point(system, q, "p_A", internal::with_name(a, "A"));
-  const Constraint_point_3 pb = add_foot_point(system, q, "p_B", internal::with_name(b, "B"));
+  const Constraint_point_3 pa = add_foot_point(system, q, "p_A", internal::given(a, "A"));
+  const Constraint_point_3 pb = add_foot_point(system, q, "p_B", internal::given(b, "B"));
   require_equal_distances(system, q, pa, pb);
   return system;
 }
@@ -42,14 +45,16 @@ inline Constraint_system equal_distance(const Entity_3& a, const Entity_3& b)
  *
  * \details As for two, with the variables of `p_C` at the end. The system has one degree of
  * freedom: it is the intersection of two equal-distance surfaces, and no surface.
+ *
+ * \exception Shape_error as for two
  */
 inline Constraint_system equal_distance(const Entity_3& a, const Entity_3& b, const Entity_3& c)
 {
   Constraint_system system;
   const Constraint_point_3& q = system.projected_point();
-  const Constraint_point_3 pa = add_foot_point(system, q, "p_A", internal::with_name(a, "A"));
-  const Constraint_point_3 pb = add_foot_point(system, q, "p_B", internal::with_name(b, "B"));
-  const Constraint_point_3 pc = add_foot_point(system, q, "p_C", internal::with_name(c, "C"));
+  const Constraint_point_3 pa = add_foot_point(system, q, "p_A", internal::given(a, "A"));
+  const Constraint_point_3 pb = add_foot_point(system, q, "p_B", internal::given(b, "B"));
+  const Constraint_point_3 pc = add_foot_point(system, q, "p_C", internal::given(c, "C"));
   require_equal_distances(system, q, pa, pb);
   require_equal_distances(system, q, pa, pc);
   return system;

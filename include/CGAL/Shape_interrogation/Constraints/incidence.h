@@ -17,6 +17,7 @@
 #include <CGAL/Shape_interrogation/Differentiation/print_expression.h>
 
 #include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -25,6 +26,16 @@ namespace Shape_interrogation {
 
 #ifndef DOXYGEN_RUNNING
 namespace internal {
+
+// Notes what the name of a surface or curve stands for; throws if it stands for another one.
+template <class Entity>
+void add_name(Constraint_system& system, const Entity& entity)
+{
+  if constexpr (std::is_same_v<Entity, Implicit_entity_3>)
+    system.names().add_entity(entity.name(), {entity.function()});
+  else
+    system.names().add_entity(entity.name(), entity.functions());
+}
 
 // p = x as three equations, without division.
 inline std::vector<Expression> equal_points(const Constraint_point_3& p,
@@ -42,6 +53,7 @@ inline std::vector<Expression> equal_points(const Constraint_point_3& p,
 inline void require_on(Constraint_system& system, const Constraint_point_3& p,
                        const Implicit_entity_3& surface)
 {
+  internal::add_name(system, surface);
   system.add(Constraint(p.name, "on " + surface.name(), {surface.value(p)}));
 }
 
@@ -52,6 +64,7 @@ inline void require_on(Constraint_system& system, const Constraint_point_3& p,
                        const Parametric_entity_3& surface,
                        const Parametric_entity_3::Parameters& st)
 {
+  internal::add_name(system, surface);
   const auto& names = system.variables();
   system.add(Constraint(p.name,
                         "the point of " + surface.name() + " at (" + to_string(st[0], names) +
@@ -64,6 +77,7 @@ inline void require_on(Constraint_system& system, const Constraint_point_3& p,
 inline void require_on(Constraint_system& system, const Constraint_point_3& p,
                        const Curve_entity_3& curve, const Expression& r)
 {
+  internal::add_name(system, curve);
   system.add(Constraint(p.name,
                         "the point of " + curve.name() + " at " +
                           to_string(r, system.variables()),

@@ -32,14 +32,15 @@ namespace Shape_interrogation {
  *
  * \param base the surface, curve or point
  * \param distance a number or an expression such as `sqrt(2)`
- * \exception Shape_error if the distance is the number zero
+ * \exception Shape_error if the distance is the number zero or not real, such as `sqrt(-2)`; if the
+ * base is a point that is not given by numbers
  */
 inline Constraint_system offset_system(const Entity_3& base, const Expression& distance)
 {
-  internal::check_nonzero(distance, "the distance of the offset");
+  internal::check_distance(distance, "the distance of the offset");
   Constraint_system system;
   const Constraint_point_3 p = add_foot_point(system, system.projected_point(), "p",
-                                              internal::with_name(base, "the base"));
+                                              internal::given(base, "the base"));
   require_distance(system, system.projected_point(), p, distance);
   return system;
 }

@@ -27,18 +27,34 @@ namespace Shape_interrogation {
 #ifndef DOXYGEN_RUNNING
 namespace internal {
 
-inline Parametric_entity_3::Parameters add_parameters(Constraint_system& system,
-                                                      const std::string& prefix,
-                                                      const Parametric_entity_3&)
+// How the names of the variables of a foot point end.
+inline std::vector<std::string> endings(const Implicit_entity_3&) { return {"_x", "_y", "_z"}; }
+inline std::vector<std::string> endings(const Parametric_entity_3&) { return {"_s", "_t"}; }
+inline std::vector<std::string> endings(const Curve_entity_3&) { return {"_r"}; }
+
+// Notes the name of the entity. Throws if the variables of a foot point cannot be added, and
+// changes nothing then.
+template <class Entity>
+void check_foot_point(Constraint_system& system, const std::string& point, const Entity& entity)
 {
-  const Expression s = system.add_scalar(prefix + "s");
-  return {s, system.add_scalar(prefix + "t")};
+  for (const std::string& ending : endings(entity))
+    check_new_variable(point + ending, system.variables());
+  add_name(system, entity);
 }
 
-inline Expression add_parameters(Constraint_system& system, const std::string& prefix,
-                                 const Curve_entity_3&)
+inline Parametric_entity_3::Parameters
+add_parameters(Constraint_system& system, const std::string& point, const Parametric_entity_3& e)
 {
-  return system.add_scalar(prefix + "r");
+  check_foot_point(system, point, e);
+  const Expression s = system.add_scalar(point + "_s");
+  return {s, system.add_scalar(point + "_t")};
+}
+
+inline Expression add_parameters(Constraint_system& system, const std::string& point,
+                                 const Curve_entity_3& e)
+{
+  check_foot_point(system, point, e);
+  return system.add_scalar(point + "_r");
 }
 
 template <std::size_t N>
@@ -71,6 +87,7 @@ void require_orthogonality(Constraint_system& system, const Constraint_point_3& 
 inline void require_projection(Constraint_system& system, const Constraint_point_3& q,
                                const Constraint_point_3& p, const Implicit_entity_3& surface)
 {
+  internal::add_name(system, surface);
   const Coordinates<Expression, 3> n = surface.gradient(p);
   const Coordinates<Expression, 3> e = internal::cross(vector_between(p, q).components, n);
   system.add(Constraint(p.name, "the projection of " + q.name + " onto " + surface.name(),
@@ -84,6 +101,7 @@ inline void require_projection(Constraint_system& system, const Constraint_point
                                const Constraint_point_3& p, const Parametric_entity_3& surface,
                                const Parametric_entity_3::Parameters& st)
 {
+  internal::add_name(system, surface);
   internal::require_orthogonality(system, q, p, surface.name(), surface.tangents(st));
 }
 
@@ -94,6 +112,7 @@ inline void require_projection(Constraint_system& system, const Constraint_point
                                const Constraint_point_3& p, const Curve_entity_3& curve,
                                const Expression& r)
 {
+  internal::add_name(system, curve);
   internal::require_orthogonality<1>(system, q, p, curve.name(), {curve.tangent(r)});
 }
 
@@ -103,7 +122,10 @@ inline void require_projection(Constraint_system& system, const Constraint_point
  * `require_on()` and `require_projection()` say together.
  *
  * Unknown parameters of `p` are added as variables: `p_s` and `p_t` on a parametric surface, `p_r`
- * on a curve, if the name of the point is `p`. The projection onto a point is that point.
+ * on a curve, if the name of the point is `p`. The projection onto a point is that point, which is
+ * given by numbers or is a point of the same system.
+ *
+ * \exception Shape_error if a name is taken; nothing is added then
  */
 inline void require_foot_point(Constraint_system& system, const Constraint_point_3& q,
                                const Constraint_point_3& p, const Entity_3& entity)
@@ -116,10 +138,13 @@ inline void require_foot_point(Constraint_system& system, const Constraint_point
       require_projection(system, q, p, e);
     }
     else if constexpr (std::is_same_v<Kind, Constraint_point_3>)
+    {
+      system.names().add_point(e);
       system.add(Constraint(p.name, "the point " + e.name, internal::equal_points(p, e)));
+    }
     else
     {
-      const auto parameters = internal::add_parameters(system, p.name + "_", e);
+      const auto parameters = internal::add_parameters(system, p.name, e);
       require_on(system, p, e, parameters);
       require_projection(system, q, p, e, parameters);
     }
@@ -138,24 +163,35 @@ inline void require_foot_point(Constraint_system& system, const Constraint_point
  * | parametric surface | `p_s`, `p_t`, of which the point is a function | projection |
  * | curve | `p_r`, of which the point is a function | projection |
  * | point | none; it is returned itself | none |
+ *
+ * A point is given by numbers or is a point of the same system.
+ *
+ * \exception Shape_error if a name is taken; nothing is added then
  */
 inline Constraint_point_3 add_foot_point(Constraint_system& system, const Constraint_point_3& q,
                                          const std::string& name, const Entity_3& entity)
 {
   const auto add = [&](const auto& e) -> Constraint_point_3 {
     using Kind = std::decay_t<decltype(e)>;
+    if constexpr (!std::is_same_v<Kind, Constraint_point_3>)
+      system.names().check_new_point(name);
     if constexpr (std::is_same_v<Kind, Implicit_entity_3>)
     {
+      internal::check_foot_point(system, name, e);
       const Constraint_point_3 p = system.add_point(name);
       require_foot_point(system, q, p, e);
       return p;
     }
     else if constexpr (std::is_same_v<Kind, Constraint_point_3>)
+    {
+      system.names().add_point(e);
       return e;
+    }
     else
     {
-      const auto parameters = internal::add_parameters(system, name + "_", e);
+      const auto parameters = internal::add_parameters(system, name, e);
       const Constraint_point_3 p = e.point(name, parameters);
+      system.names().add_point(p);
       require_projection(system, q, p, e, parameters);
       return p;
     }

@@ -47,13 +47,16 @@ identity_coefficients(const Constraint_system& system, const std::vector<Interva
 }
 
 // The only one of the equations that is not known to vanish, if its coefficient is certainly not
-// zero; else -1. Equations with the coefficient zero do not count.
+// zero; else -1. Equations with the coefficient zero do not count. Where a coefficient may have a
+// pole, the identity tells nothing.
 inline int proved_by(const Interval_nt<false>* coefficients, std::size_t size, int first_equation,
                      const std::vector<bool>& vanishes)
 {
   int open = -1;
   for (std::size_t k = 0; k < size; ++k)
   {
+    if (!CGAL::is_finite(coefficients[k]))
+      return -1;
     if (vanishes[first_equation + k] || CGAL::certainly(is_zero_decision(coefficients[k])))
       continue;
     if (open >= 0 || CGAL::possibly(is_zero_decision(coefficients[k])))
@@ -85,7 +88,8 @@ inline int proved_by(const Interval_nt<false>* coefficients, std::size_t size, i
  * `others_proved`
  * \pre the enclosure has one interval for each variable
  *
- * Complexity: linear in the identities, which are compiled in each call
+ * Complexity: linear in the identities, which are compiled in each call, and are looked through
+ * again as long as one of them proves something
  */
 inline N_space_enclosure prove_by_identities(const Constraint_system& system,
                                              N_space_enclosure enclosure)

@@ -38,17 +38,18 @@ namespace Shape_interrogation {
  *
  * \param a,b the surfaces or curves
  * \param radius a number or an expression
- * \exception Shape_error if the radius is the number zero
+ * \exception Shape_error if the radius is the number zero or not real, such as `sqrt(-2)`; if `a`
+ * or `b` is a point that is not given by numbers, or both have one name
  */
 inline Constraint_system rolling_ball(const Entity_3& a, const Entity_3& b,
                                       const Expression& radius)
 {
-  internal::check_nonzero(radius, "the radius of the ball");
+  internal::check_distance(radius, "the radius of the ball");
   Constraint_system system;
   const Constraint_point_3& q = system.projected_point();
   const Constraint_point_3 c = system.add_point("c");
-  const Constraint_point_3 pa = add_foot_point(system, c, "p_A", internal::with_name(a, "A"));
-  const Constraint_point_3 pb = add_foot_point(system, c, "p_B", internal::with_name(b, "B"));
+  const Constraint_point_3 pa = add_foot_point(system, c, "p_A", internal::given(a, "A"));
+  const Constraint_point_3 pb = add_foot_point(system, c, "p_B", internal::given(b, "B"));
   require_distance(system, c, pa, radius);
   require_distance(system, c, pb, radius);
   require_distance(system, q, c, radius);

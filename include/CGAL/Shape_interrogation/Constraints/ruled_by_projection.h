@@ -48,8 +48,8 @@ inline Constraint_system ruled_by_projection(const Curve_entity_3& directrix, co
   const Constraint_point_3 p2 = system.add_point("p2");
   const Expression r = system.add_scalar("r");
   require_on(system, p0, curve, r);
-  require_foot_point(system, p0, p1, internal::with_name(a, "A"));
-  require_foot_point(system, p0, p2, internal::with_name(b, "B"));
+  require_foot_point(system, p0, p1, internal::given(a, "A"));
+  require_foot_point(system, p0, p2, internal::given(b, "B"));
   const Expression lambda = system.add_scalar("lambda");
   require_dividing(system, system.projected_point(), p1, p2, lambda);
   return system;

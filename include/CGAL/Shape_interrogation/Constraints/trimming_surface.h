@@ -37,14 +37,14 @@ inline Constraint_system trimming_surface(const Surface_entity_3& surface,
 {
   Constraint_system system;
   const auto [p, normal] =
-    internal::add_point_with_normal(system, "p", internal::with_name(surface, "A"));
-  const Surface_entity_3 cut = internal::with_name(trimming, "C");
+    internal::add_point_with_normal(system, "p", internal::given(surface, "A"));
+  const Surface_entity_3 cut = internal::given(trimming, "C");
   if (const auto* implicit = std::get_if<Implicit_entity_3>(&cut))
     require_on(system, p, *implicit);
   else
   {
     const auto& parametric = std::get<Parametric_entity_3>(cut);
-    require_on(system, p, parametric, internal::add_parameters(system, "t_", parametric));
+    require_on(system, p, parametric, internal::add_parameters(system, "t", parametric));
   }
   const Expression lambda = system.add_scalar("lambda");
   require_multiple(system, vector_between(p, system.projected_point()), normal, lambda);

@@ -27,8 +27,8 @@ inline std::pair<Constraint_point_3, Constraint_point_3>
 add_touching_ball(Constraint_system& system, const Constraint_point_3& c, const Entity_3& a,
                   const Entity_3& b)
 {
-  const Constraint_point_3 pa = add_foot_point(system, c, "p_A", with_name(a, "A"));
-  const Constraint_point_3 pb = add_foot_point(system, c, "p_B", with_name(b, "B"));
+  const Constraint_point_3 pa = add_foot_point(system, c, "p_A", given(a, "A"));
+  const Constraint_point_3 pb = add_foot_point(system, c, "p_B", given(b, "B"));
   require_equal_distances(system, c, pa, pb);
   require_equal_distances(system, c, pa, system.projected_point());
   return {pa, pb};
@@ -62,7 +62,7 @@ inline Constraint_system variable_radius_blend(const Entity_3& a, const Entity_3
 {
   Constraint_system system;
   const auto [c, normal] =
-    internal::add_point_with_normal(system, "c", internal::with_name(reference, "R"));
+    internal::add_point_with_normal(system, "c", internal::given(reference, "R"));
   const auto [pa, pb] = internal::add_touching_ball(system, c, a, b);
   const Constraint_point_3& q = system.projected_point();
   system.add(Constraint(q.name, "on the circle in which the ball around c touches the surface",
@@ -93,7 +93,7 @@ inline Constraint_system variable_radius_blend(const Entity_3& a, const Entity_3
   const Constraint_point_3 c = system.add_point("c");
   const auto [pa, pb] = internal::add_touching_ball(system, c, a, b);
   const Constraint_point_3 pr =
-    add_foot_point(system, c, "p_R", internal::with_name(Entity_3(reference), "R"));
+    add_foot_point(system, c, "p_R", internal::given(Entity_3(reference), "R"));
   require_equal_distances(system, c, pa, pr);
   require_coplanar(system, system.projected_point(), pa, pb, pr);
   return system;

@@ -30,7 +30,8 @@ struct N_space_mesh_options
   //! length that the projections of edges have at most, about. Must be positive.
   double edge_length = 0;
   //! angle in radian by which the tangent plane in n-space turns along an edge at most, about:
-  //! edges become shorter where it turns fast. From 0.001 to 1.
+  //! edges become shorter where it turns fast. From 0.001 to 1. It is aimed at and not guaranteed:
+  //! `N_space_mesh::max_turning` is the largest angle of the mesh.
   double max_turning = 0.5;
   //! the mesh ends where a variable leaves one of these, rounded to `double`; at most 32
   std::vector<N_space_bound> bounds;
@@ -55,7 +56,7 @@ struct N_space_polyline
 
 /*!
  * \ingroup PkgShapeInterrogationMeshing
- * \brief is a place beyond which a surface in n-space could not be followed.
+ * \brief is a place beyond which a surface in n-space, or a fold of it, could not be followed.
  */
 struct N_space_stop
 {
@@ -74,11 +75,12 @@ struct N_space_stop
 struct N_space_mesh : Shape_mesh
 {
   //! the curves along which the projection folds the surface, for example the cuspidal edges of an
-  //! offset: the projected triangles turn over there
+  //! offset: the projected triangles turn over there. They end at the border of the mesh, or in a
+  //! place that is in `stops`; smaller folds than a sixteenth of an edge may be missing
   std::vector<N_space_polyline> folds;
   //! borders of the mesh that lie on no bound: at singular points of the solution, for example
   std::vector<N_space_polyline> rims;
-  //! where the surface could not be followed
+  //! where the surface or a fold could not be followed
   std::vector<N_space_stop> stops;
   double max_residual = 0;    //!< the largest absolute value of an equation at a vertex
   //! the largest angle in radian between the tangent planes in n-space of neighbours

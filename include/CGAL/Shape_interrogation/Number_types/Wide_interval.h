@@ -17,6 +17,7 @@
 #include <CGAL/Shape_interrogation/Number_types/Quadratic_field.h>
 #include <CGAL/Shape_interrogation/Number_types/Wide_precision.h>
 #include <CGAL/Shape_interrogation/Number_types/internal/Mpfi_functions.h>
+#include <CGAL/Shape_interrogation/Number_types/internal/mpfi_helpers.h>
 #include <CGAL/Shape_interrogation/Number_types/number_cast.h>
 
 #include <CGAL/Exact_rational.h>
@@ -25,9 +26,7 @@
 #include <mpfi.h>
 
 #include <cmath>
-#include <locale>
 #include <ostream>
-#include <sstream>
 #include <utility>
 
 namespace CGAL {
@@ -54,23 +53,25 @@ public:
   /// @{
   Wide_interval() : Wide_interval(0) {} //!< constructs zero.
   Wide_interval(int x) : Wide_interval(Uninitialised()) { mpfi_set_si(m_x, x); } //!< encloses `x`.
-  //! encloses `x`; one that is no number by the whole line.
+  //! encloses `x`; one that is not finite by the whole line.
   Wide_interval(double x) : Wide_interval(Uninitialised())
   {
-    mpfi_set_d(m_x, x);
-    if (mpfi_nan_p(m_x))
+    if (std::isfinite(x))
+      mpfi_set_d(m_x, x);
+    else
       mpfi_interv_d(m_x, -HUGE_VAL, HUGE_VAL);
   }
-  //! encloses the interval.
+  //! encloses the interval; one that is not valid by the whole line.
   template <bool P>
   explicit Wide_interval(const Interval_nt<P>& x) : Wide_interval(Uninitialised())
   {
-    mpfi_interv_d(m_x, x.inf(), x.sup());
+    const bool is_valid = x.inf() <= x.sup() && x.inf() < HUGE_VAL && x.sup() > -HUGE_VAL;
+    mpfi_interv_d(m_x, is_valid ? x.inf() : -HUGE_VAL, is_valid ? x.sup() : HUGE_VAL);
   }
   //! encloses `x`.
   explicit Wide_interval(const CGAL::Exact_rational& x) : Wide_interval(Uninitialised())
   {
-    set_rational(x);
+    internal::mpfi_set_rational(m_x, x);
   }
 
   //! copies with all bits.
@@ -91,7 +92,7 @@ public:
     return *this;
   }
   //! takes the value over.
-  Wide_interval(Wide_interval&& x)
+  Wide_interval(Wide_interval&& x) noexcept
   {
     mpfi_init2(m_x, 2);
     mpfi_swap(m_x, x.m_x);
@@ -155,17 +156,20 @@ public:
   {
     return {mpfr_get_d(&m_x->left, low), mpfr_get_d(&m_x->right, high)};
   }
-  //! returns a point of the interval near its middle, without width.
-  Wide_interval middle() const { return point(mpfi_mid); }
-  //! returns the width, rounded up, as an interval without width.
-  Wide_interval width() const { return point(mpfi_diam_abs); }
+  //! returns a point of the interval near its middle, without width, in the precision of the
+  //! interval; of one without a lower or an upper bound some point of it.
+  Wide_interval middle() const { return point(internal::mpfi_middle, mpfi_get_prec(m_x)); }
+  //! returns the width, rounded up, as an interval without width; infinite without bounds.
+  Wide_interval width() const { return point(mpfi_diam_abs, Wide_precision::bits()); }
   //! returns the hull of both intervals.
   friend Wide_interval hull(const Wide_interval& a, const Wide_interval& b)
   { return result([&](mpfi_ptr r) { mpfi_union(r, a.m_x, b.m_x); }); }
   //! takes the common part with `x`; returns false, without a meaningful value, if there is none.
   bool intersect(const Wide_interval& x)
   {
-    *this = result([&](mpfi_ptr r) { mpfi_intersect(r, m_x, x.m_x); });
+    Wide_interval common{Uninitialised()};
+    mpfi_intersect(common.m_x, m_x, x.m_x);
+    *this = std::move(common);
     return mpfi_is_empty(m_x) == 0;
   }
   //! returns `f` of the interval, where `f` is a function of MPFI.
@@ -181,46 +185,30 @@ public:
 
 private:
   struct Uninitialised {};
-  explicit Wide_interval(Uninitialised) { mpfi_init2(m_x, Wide_precision::bits()); }
+  explicit Wide_interval(Uninitialised, mpfr_prec_t bits = Wide_precision::bits())
+  {
+    mpfi_init2(m_x, bits);
+  }
 
+  // What has no value is enclosed by the whole line.
   template <class Operation>
   static Wide_interval result(Operation operation)
   {
     Wide_interval r{Uninitialised()};
     operation(r.m_x);
+    if (mpfi_nan_p(r.m_x))
+      mpfi_interv_d(r.m_x, -HUGE_VAL, HUGE_VAL);
     return r;
   }
 
   // The number that f makes of this interval.
   template <class Function>
-  Wide_interval point(Function f) const
+  Wide_interval point(Function f, mpfr_prec_t bits) const
   {
-    return result([&](mpfi_ptr r) {
-      mpfr_t number;
-      mpfr_init2(number, Wide_precision::bits());
-      f(number, m_x);
-      mpfi_set_fr(r, number);
-      mpfr_clear(number);
-    });
-  }
-
-  // Not every exact rational is that of GMP; all can be written.
-  template <class Rational>
-  auto set_rational(const Rational& x) -> decltype(x.get_mpq_t(), void())
-  {
-    mpfi_set_q(m_x, x.get_mpq_t());
-  }
-  template <class Rational, class... None>
-  void set_rational(const Rational& x, None...)
-  {
-    std::ostringstream text;
-    text.imbue(std::locale::classic());
-    text << x;
-    mpq_t q;
-    mpq_init(q);
-    mpq_set_str(q, text.str().c_str(), 10);
-    mpfi_set_q(m_x, q);
-    mpq_clear(q);
+    Wide_interval p(Uninitialised(), bits);
+    f(&p.m_x->left, m_x);
+    mpfr_set(&p.m_x->right, &p.m_x->left, MPFR_RNDN);
+    return p;
   }
 
   mpfi_t m_x;
@@ -251,7 +239,13 @@ struct Answer_union<Wide_interval>
 template <>
 struct Number_cast<double, Wide_interval>
 {
-  static double cast(const Wide_interval& x) { return x.middle().ends(MPFR_RNDN).first; }
+  static double cast(const Wide_interval& x)
+  {
+    const std::pair<double, double> e = x.ends();
+    return std::isfinite(e.first) && std::isfinite(e.second)
+      ? x.middle().ends(MPFR_RNDN).first
+      : internal::middle(e.first, e.second);
+  }
 };
 
 template <bool P>

@@ -105,9 +105,11 @@ private:
       for (int j = 0; j <= patch.degree_v(); ++j)
       {
         const Coordinates<NT, 4> p = patch.homogeneous_control_point(i, j);
-        for (int k = 0; k < 4; ++k)
+        for (int k = 0; k < (patch.is_rational() ? 4 : 3); ++k)
           coordinates[k].push_back(p[k]);
       }
+    if (!patch.is_rational())
+      coordinates[3].assign(coordinates[0].size(), NT(0)); // not used
     const std::array<R, 4> x = internal::polynomials_in_ring<NT, 4, 2>(
       {patch.degree_u(), patch.degree_v()}, coordinates);
     const auto jets = [&](int k) { return jet(x[k], piece); };

@@ -175,17 +175,22 @@ private:
     m_forms.differentiate(m_system, m_lanes.data());
     m_forms.elimination().factor(plan, m_forms.gradient());
     Pack good = m_forms.elimination().good_lanes(), overflow(0);
-    for (const Pack& value : m_forms.values())
-      overflow += value * Pack(0); // not a number where a value is not finite
+    for (const Pack& x : m_lanes)
+      overflow += x * Pack(0); // not a number where x is not finite
+    for (const Pack& x : m_forms.values())
+      overflow += x * Pack(0);
     m_forms.span_tangent_plane();
     const auto& n = m_forms.normal();
-    good *= is_greater(Pack(internal::dot(n, n)), Pack(0));
+    const Pack squared_length = internal::dot(n, n);
+    good *= is_greater(squared_length, Pack(0));
+    overflow += squared_length * Pack(0);
     m_forms.bend(m_lanes.data());
     for (std::size_t r = 0; r < plan.redundant_rows.size(); ++r)
     {
       const auto h = m_forms.redundant_form(static_cast<int>(r));
       const Pack noise = Pack(internal::numerical_rank_tolerance) *
                          m_forms.size_of_redundant_form(static_cast<int>(r));
+      overflow += noise * Pack(0);
       for (const Pack& x : h)
       {
         good *= Pack(1) - is_greater(fabs(x), noise);
@@ -198,7 +203,7 @@ private:
       w1[i].store(frames[i].data());
       w2[i].store(frames[3 + i].data());
       h[i].store(frames[6 + i].data());
-      overflow += (n[i] * n[i] + h[i]) * Pack(0);
+      overflow += h[i] * Pack(0);
     }
     return good + overflow;
   }

@@ -53,12 +53,14 @@ struct N_space_point
  * Each Newton step is the shortest that satisfies the linearised equations (and conditions, of
  * which there may be as many as the solution has dimensions). Redundant equations are allowed, also
  * with vanishing gradients: an independent subset is used, which may differ from point to point.
- * Where a step does not make the residual smaller, it is damped, and where that does not help
- * either, Gauss-Newton steps on all equations take over.
+ * Where a step does not make the residual smaller or leads to where an equation has no value, it is
+ * damped, and where that does not help either, Gauss-Newton steps on all equations take over.
  *
- * Refused are a Jacobian of too small rank on the way (`RANK_DEFICIENT`), values that overflow
- * (`LIMIT_EXCEEDED`) and iterations that do not settle on a solution of all equations
- * (`NOT_ON_SOLUTION`).
+ * Refused are a start that has not one coordinate for each variable (`NOT_ON_SOLUTION`), too few
+ * equations (`UNDERDETERMINED`), a start at which an equation has no value (`POLE`,
+ * `OUTSIDE_DOMAIN`), a Jacobian of too small rank on the way (`RANK_DEFICIENT`), numbers that are
+ * not finite (`LIMIT_EXCEEDED`) and iterations that do not settle on a solution of all equations
+ * and conditions (`NOT_ON_SOLUTION`).
  *
  * In floating point only; nothing is proved. A corrector keeps its memory and the order of
  * elimination from point to point, so it is not thread-safe; use one in each thread. It keeps a
@@ -80,16 +82,24 @@ public:
     CGAL_precondition_msg(0 <= dimension && dimension <= 2, "a solution has dimension 0, 1 or 2");
   }
 
-  //! returns a solution near `start` that satisfies the conditions.
+  //! returns a solution near `start` that satisfies the conditions. \pre there are at most as many
+  //! conditions as dimensions, each with one coefficient for each variable
   Result<N_space_point> operator()(const std::vector<double>& start,
                                    const std::vector<N_space_condition>& conditions = {})
   {
+    CGAL_precondition_msg(std::all_of(conditions.begin(), conditions.end(),
+                                      [this](const N_space_condition& c) {
+                                        return static_cast<int>(c.coefficients.size()) == m_n;
+                                      }),
+                          "a condition has one coefficient for each variable");
     CGAL_precondition_msg(static_cast<int>(conditions.size()) <= m_dimension,
                           "there are more conditions than dimensions");
     if (static_cast<int>(start.size()) != m_n)
       return Refusal(Refusal_code::NOT_ON_SOLUTION,
                      "the point has " + std::to_string(start.size()) + " coordinate(s) for " +
                        std::to_string(m_n) + " variables");
+    if (auto refusal = internal::refuse_not_finite(start, m_system.variables()))
+      return *refusal;
     if (m_m < m_n - m_dimension)
       return Refusal(Refusal_code::UNDERDETERMINED,
                      std::to_string(m_m) + " equation(s) in " + std::to_string(m_n) +
@@ -119,11 +129,11 @@ private:
         gauss_newton_step(conditions);
       else if (auto refusal = newton_step(r.point, conditions))
         return *refusal;
-      r.step = length(m_step);
+      r.step = std::sqrt(internal::dot_product(m_step, m_step));
       if (!std::isfinite(r.step))
         return Refusal(Refusal_code::RANK_DEFICIENT, "the Jacobian is singular on the way");
       // Settled: the step is a rounding of the point, or near it and not shrinking any more.
-      const double size = largest(r.point);
+      const double size = internal::largest(r.point);
       const bool is_small = r.step <= std::ldexp(size, -26);
       const bool settled =
         r.step <= std::ldexp(size, -51) || (is_small && r.step > previous_step / 4);
@@ -133,7 +143,7 @@ private:
       // Near the origin no step is small against the coordinates: the roundings alone tell.
       const bool is_solution =
         is_small ? others_vanish(r) : m_enclosure.may_vanish(m_system, r.point, 0);
-      if (is_solution && are_met(conditions, size))
+      if (is_solution && internal::are_met(conditions, m_excess, size))
         return finish(std::move(r), all_equations);
       if (all_equations)
         break;
@@ -145,23 +155,13 @@ private:
 
   Refusal not_reached(const N_space_point& r) const
   {
+    const int k = internal::index_of_largest(m_values), c = internal::index_of_largest(m_excess);
+    const bool is_condition = c >= 0 && std::fabs(m_excess[c]) > std::fabs(m_values[k]);
     return Refusal(Refusal_code::NOT_ON_SOLUTION,
-                   "no solution was reached in " + std::to_string(r.iterations) +
-                     " step(s): equation " + std::to_string(worst_equation() + 1) +
-                     " is still " + internal::text_of(m_values[worst_equation()]));
-  }
-
-  // The shortest step meets contradictory conditions as well as it can.
-  bool are_met(const std::vector<N_space_condition>& conditions, double size) const
-  {
-    for (std::size_t c = 0; c < conditions.size(); ++c)
-    {
-      const std::vector<double>& a = conditions[c].coefficients;
-      const double length = std::sqrt(internal::dot_product(a, a));
-      if (!(std::fabs(m_excess[c]) <= 1e-9 * (length * size + std::fabs(conditions[c].value))))
-        return false;
-    }
-    return true;
+                   "no solution was reached in " + std::to_string(r.iterations) + " step(s): " +
+                     (is_condition ? "condition " : "equation ") +
+                     std::to_string((is_condition ? c : k) + 1) + " is still " +
+                     internal::text_of(is_condition ? m_excess[c] : m_values[k]));
   }
 
   // Redundant equations were not used: they must vanish within the roundings as well, which an
@@ -171,13 +171,13 @@ private:
     if (m_m == m_n - m_dimension)
       return true;
     return m_enclosure.may_vanish(
-      m_system, r.point, 16 * (r.step + std::ldexp(largest(r.point), -50)));
+      m_system, r.point, 16 * (r.step + std::ldexp(internal::largest(r.point), -50)));
   }
 
   // A Newton step has left the tangent basis of the point; one of all equations has not.
   Result<N_space_point> finish(N_space_point r, bool needs_basis)
   {
-    r.residual = std::fabs(m_values.empty() ? 0. : m_values[worst_equation()]);
+    r.residual = internal::largest(m_values);
     if (needs_basis)
       if (auto refusal = newton_step(r.point, {}))
         return *refusal;
@@ -240,7 +240,7 @@ private:
       m_trial = p;
       for (int i = 0; i < m_n; ++i)
         m_trial[i] += part * m_step[i];
-      const double trial_norm = evaluate(m_trial, conditions);
+      const double trial_norm = norm_at_trial(conditions);
       if (trial_norm < norm)
       {
         p.swap(m_trial);
@@ -252,31 +252,20 @@ private:
     return false;
   }
 
+  // Infinite where an equation has no value.
+  double norm_at_trial(const std::vector<N_space_condition>& conditions)
+  {
+    try
+    {
+      return evaluate(m_trial, conditions);
+    }
+    catch (const Shape_error&) { return HUGE_VAL; }
+  }
+
   void gauss_newton_step(const std::vector<N_space_condition>& conditions)
   {
     internal::gauss_newton_step(m_system.tape().gradient_pattern(), m_gradient, m_values,
                                 conditions, m_excess, m_n, m_step);
-  }
-
-  int worst_equation() const
-  {
-    int worst = 0;
-    for (int k = 1; k < m_m; ++k)
-      if (!(std::fabs(m_values[k]) <= std::fabs(m_values[worst])))
-        worst = k;
-    return worst;
-  }
-
-  static double length(const std::vector<double>& v)
-  {
-    return std::sqrt(internal::dot_product(v, v));
-  }
-  static double largest(const std::vector<double>& p)
-  {
-    double size = 0;
-    for (double x : p)
-      size = (std::max)(size, std::fabs(x));
-    return size;
   }
 
   using Elimination = internal::Sparse_elimination<double>;

@@ -17,6 +17,7 @@
 #include <CGAL/Shape_interrogation/Surfaces/internal/form_vanishes_nearby.h>
 #include <CGAL/Shape_interrogation/Surfaces/internal/N_space_forms.h>
 #include <CGAL/Shape_interrogation/Surfaces/internal/orient_n_space_shape.h>
+#include <CGAL/Shape_interrogation/Surfaces/internal/plan_elimination.h>
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>
 #include <CGAL/Shape_interrogation/Waist/Unoriented_shape_3.h>
 #include <CGAL/Shape_interrogation/Waist/internal/refuse.h>
@@ -39,8 +40,9 @@ class N_space_surface_3;
  * its memory.
  *
  * Refused are, in this order: a point that has not one coordinate for each variable
- * (`NOT_ON_SOLUTION`); too few equations (`UNDERDETERMINED`); a point that certainly is not a
- * solution (`NOT_ON_SOLUTION`; floating point makes no such claim); a Jacobian of rank below
+ * (`NOT_ON_SOLUTION`); in floating point a coordinate that is not finite (`LIMIT_EXCEEDED`); too
+ * few equations (`UNDERDETERMINED`); a point that certainly is not a solution (`NOT_ON_SOLUTION`;
+ * floating point makes no such claim); a Jacobian of rank below
  * (`RANK_DEFICIENT`) or above (`NOT_TWO_DIMENSIONAL`) \f$ n - 2 \f$; a tangent plane that the
  * projection does not map injectively (`PROJECTION_SINGULAR`); redundant equations that contradict
  * each other to second order (`INCONSISTENT_REDUNDANCY`). Enclosures answer `UNDECIDED` where they
@@ -126,6 +128,8 @@ private:
       return Refusal(Refusal_code::NOT_ON_SOLUTION,
                      "the point has " + std::to_string(p.size()) + " coordinate(s) for " +
                        std::to_string(m_n) + " variables");
+    if (auto refusal = internal::refuse_not_finite(p, m_system->variables()))
+      return *refusal;
     if (m_m < m_n - 2)
       return Refusal(Refusal_code::UNDERDETERMINED,
                      std::to_string(m_m) + " equation(s) in " + std::to_string(m_n) +
@@ -183,7 +187,9 @@ private:
       return m_plan.undecided
         ? Refusal(Refusal_code::UNDECIDED, text + " or more: the enclosure does not decide")
         : Refusal(Refusal_code::RANK_DEFICIENT, text);
-    return Refusal(Refusal_code::NOT_TWO_DIMENSIONAL, text);
+    if (rank > m_n - 2)
+      return Refusal(Refusal_code::NOT_TWO_DIMENSIONAL, text);
+    return Refusal(Refusal_code::UNDECIDED, text + ", but its factors overflow");
   }
 
   // Every combination of gradients that vanishes must have a vanishing second form on the tangent

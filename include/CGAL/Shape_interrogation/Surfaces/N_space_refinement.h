@@ -17,6 +17,8 @@
 #include <CGAL/Shape_interrogation/Surfaces/internal/Krawczyk_operator.h>
 #include <CGAL/Shape_interrogation/Waist/internal/refuse.h>
 
+#include <Eigen/Dense>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -45,11 +47,13 @@ class N_space_refinement
 {
 public:
   //! constructs the refinement of `enclosure`, a result of `enclose_solution()` for `system`, which
-  //! must outlive it. \pre the enclosure has one interval for each variable
+  //! must outlive it. \pre the enclosure has one interval for each variable, and as many equations
+  //! as unknowns
   N_space_refinement(const N_space_system& system, const N_space_enclosure& enclosure)
     : m_system(system), m_enclosure(enclosure)
   {
-    CGAL_precondition_msg(int(enclosure.box.size()) == system.number_of_variables(),
+    CGAL_precondition_msg(int(enclosure.box.size()) == system.number_of_variables() &&
+                            enclosure.equations.size() + 2 == enclosure.box.size(),
                           "the enclosure is not one of this system");
   }
 
@@ -80,7 +84,8 @@ private:
         return *refusal;
     for (int guard = 32; guard <= 512; guard *= 2)
     {
-      const Wide_precision precision(bits + guard);
+      // Never wider than the box of double precision, over which the defect was computed.
+      const Wide_precision precision((std::max)(bits + guard, 64));
       const Wide wanted = Wide(m_scale) * power_of_half(bits);
       for (int i = 0; i < 2; ++i)
         m_box[m_enclosure.fixed[i]] = Wide(m_enclosure.values[i]);
@@ -115,13 +120,10 @@ private:
       return refusal;
     const Wide_precision exact(53);
     m_unknowns = krawczyk.unknowns();
-    for (std::size_t i = 0; i < m_unknowns.size(); ++i)
-      for (std::size_t k = 0; k < m_unknowns.size(); ++k)
-        m_inverse.push_back(Wide(krawczyk.inverse()(i, k)));
+    m_inverse = krawczyk.inverse();
     {
       Interval_nt<false>::Protector protector;
-      for (const Interval_nt<false>& d : krawczyk.defect(m_enclosure.box))
-        m_defect.push_back(Wide(d));
+      m_defect = krawczyk.defect(m_enclosure.box);
     }
     for (const Interval_nt<false>& x : m_enclosure.box)
       m_box.push_back(Wide(x));
@@ -137,25 +139,31 @@ private:
     std::vector<Wide> values(m_system.number_of_equations()), workspace;
     m_system.tape().evaluate(middle.data(), values.data(), workspace);
     const std::size_t size = m_unknowns.size();
-    std::vector<Wide> image(size);
+    std::vector<Wide> offset(size);
     for (std::size_t i = 0; i < size; ++i)
-    {
-      image[i] = middle[m_unknowns[i]];
-      for (std::size_t k = 0; k < size; ++k)
-      {
-        const Wide& x = m_box[m_unknowns[k]];
-        image[i] -= m_inverse[i * size + k] * values[m_enclosure.equations[k]];
-        image[i] += m_defect[i * size + k] * (x - middle[m_unknowns[k]]);
-      }
-    }
+      offset[i] = m_box[m_unknowns[i]] - middle[m_unknowns[i]];
     for (std::size_t i = 0; i < size; ++i)
-      if (!m_box[m_unknowns[i]].intersect(image[i]))
+      if (!m_box[m_unknowns[i]].intersect(middle[m_unknowns[i]] + correction(i, values, offset)))
       {
         m_box.clear();
         return Refusal(Refusal_code::NOT_ON_SOLUTION,
                        "the box contains no zero of the equations of the proof");
       }
     return std::nullopt;
+  }
+
+  // Component i of K(X) - m. It is small, so that few bits are enough.
+  Wide correction(std::size_t i, const std::vector<Wide>& values,
+                  const std::vector<Wide>& offset) const
+  {
+    const Wide_precision few(128);
+    Wide sum(0);
+    for (std::size_t k = 0; k < offset.size(); ++k)
+    {
+      sum -= Wide(m_inverse(i, k)) * values[m_enclosure.equations[k]];
+      sum += Wide(m_defect[i * offset.size() + k]) * offset[k];
+    }
+    return sum;
   }
 
   Wide largest_width() const
@@ -181,7 +189,8 @@ private:
   const N_space_system& m_system;
   N_space_enclosure m_enclosure;
   std::vector<int> m_unknowns;
-  std::vector<Wide> m_inverse, m_defect; // row by row
+  Eigen::MatrixXd m_inverse;
+  std::vector<Interval_nt<false>> m_defect; // row by row
   std::vector<Wide> m_box;
   double m_scale = 0; // the largest coordinate
 };

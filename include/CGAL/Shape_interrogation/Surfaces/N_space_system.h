@@ -14,6 +14,7 @@
 #include <CGAL/Shape_interrogation/Differentiation/Expression_tape.h>
 #include <CGAL/Shape_interrogation/Number_types/Errors.h>
 #include <CGAL/Shape_interrogation/Surfaces/internal/Elimination_plan.h>
+#include <CGAL/Shape_interrogation/Surfaces/internal/plan_elimination.h>
 #include <CGAL/Shape_interrogation/Waist/Symmetric_matrix_3.h>
 
 #include <optional>

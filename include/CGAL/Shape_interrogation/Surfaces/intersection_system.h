@@ -13,8 +13,8 @@
 
 #include <CGAL/Shape_interrogation/Surfaces/N_space_system.h>
 
-#include <algorithm>
 #include <cstddef>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -34,6 +34,7 @@ namespace Shape_interrogation {
 inline N_space_system intersection_system(const N_space_system& a, const N_space_system& b)
 {
   std::vector<std::string> names = a.variables();
+  std::set<std::string> taken(names.begin(), names.end());
   std::vector<Expression> variables_of_a, variables_of_b;
   for (int i = 0; i < a.number_of_variables(); ++i)
     variables_of_a.push_back(Expression::variable(i));
@@ -44,7 +45,7 @@ inline N_space_system intersection_system(const N_space_system& a, const N_space
     if (i < 3)
       continue;
     std::string name = b.variables()[static_cast<std::size_t>(i)];
-    while (std::find(names.begin(), names.end(), name) != names.end())
+    while (!taken.insert(name).second)
       name = "_" + name;
     names.push_back(name);
   }

@@ -115,7 +115,11 @@ public:
   }
   friend Scaled_polynomial operator*(const Scaled_polynomial& p, const Scaled_polynomial& q)
   {
-    return {p.m_numerator * q.m_numerator, Integer(p.m_denominator * q.m_denominator)};
+    const Integer denominator = p.m_denominator * q.m_denominator;
+    if (q.m_numerator.scaled_coefficients().size() == 1 &&
+        q.m_numerator.scaled_coefficients().front() == 1)
+      return {p.m_numerator, denominator};
+    return {p.m_numerator * q.m_numerator, denominator};
   }
 
 private:

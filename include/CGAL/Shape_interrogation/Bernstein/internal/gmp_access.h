@@ -32,12 +32,12 @@ auto gmp(Integer& z, Gmp_class) -> decltype(z.get_mpz_t())
   return z.get_mpz_t();
 }
 template <class Integer>
-auto gmp(Integer& z, Any_integer) -> decltype(mpz_ptr(z.backend().data()))
+auto gmp(Integer& z, Any_integer) -> decltype(static_cast<mpz_ptr>(z.backend().data()))
 {
   return z.backend().data();
 }
 template <class Integer>
-auto gmp(const Integer& z, Any_integer) -> decltype(mpz_srcptr(z.backend().data()))
+auto gmp(const Integer& z, Any_integer) -> decltype(static_cast<mpz_srcptr>(z.backend().data()))
 {
   return z.backend().data();
 }
@@ -73,7 +73,7 @@ auto gmp_fraction(Fraction& x, Gmp_class) -> decltype(x.get_mpq_t())
   return x.get_mpq_t();
 }
 template <class Fraction>
-auto gmp_fraction(Fraction& x, Any_integer) -> decltype(mpq_ptr(x.backend().data()))
+auto gmp_fraction(Fraction& x, Any_integer) -> decltype(static_cast<mpq_ptr>(x.backend().data()))
 {
   return x.backend().data();
 }

@@ -53,6 +53,16 @@ std::vector<int> slots(const std::array<int, d>& degree, const std::array<int, d
   return at;
 }
 
+// An integer of GMP that is constructed without a value is zero and has no memory yet.
+template <class NT>
+std::vector<NT> zeros(std::size_t size)
+{
+  if constexpr (Has_gmp<NT>::value)
+    return std::vector<NT>(size);
+  else
+    return std::vector<NT>(size, NT(0));
+}
+
 template <class NT>
 void add_product(NT& sum, const NT& a, const NT& b)
 {
@@ -159,7 +169,7 @@ std::vector<NT> multiply_arrays(const std::array<int, d>& degree_a, const std::v
   }
   else
   {
-    std::vector<NT> product(size_of(degree), NT(0));
+    std::vector<NT> product = zeros<NT>(size_of(degree));
     const std::vector<int> slots_a = slots(degree_a, degree), slots_b = slots(degree_b, degree);
     if constexpr (Has_gmp<NT>::value)
     {

@@ -38,6 +38,15 @@ public:
              N, Expression_tape::Derivatives::GRADIENT)
   {}
 
+  std::vector<Expression> functions() const
+  {
+    std::vector<Expression> x;
+    for (int i = 0; i < m_tape.number_of_outputs(); ++i)
+      x.push_back(m_tape.output(i));
+    x.resize(4, Expression(1));
+    return x;
+  }
+
   Constraint_point_3 point(const std::string& name, const Parameters& t) const
   {
     const std::vector<Expression> x = m_tape.evaluate(variables(t));

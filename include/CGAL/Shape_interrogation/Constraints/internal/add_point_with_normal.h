@@ -39,7 +39,7 @@ inline Point_with_normal add_point_with_normal(Constraint_system& system, const 
     }
     else
     {
-      const auto parameters = add_parameters(system, name + "_", s);
+      const auto parameters = add_parameters(system, name, s);
       const Constraint_point_3 p = s.point(name, parameters);
       return {p, normal_at(s, p, parameters)};
     }

@@ -9,9 +9,10 @@
 #ifndef CGAL_SHAPE_INTERROGATION_CONSTRAINTS_INTERNAL_SQUARE_OF_EXPRESSION_H
 #define CGAL_SHAPE_INTERROGATION_CONSTRAINTS_INTERNAL_SQUARE_OF_EXPRESSION_H
 
-// The square of an expression, in which square roots that are factors vanish; numbers that must
-// not be zero.
+// The square of an expression, in which square roots that are factors vanish; distances that are
+// no numbers or zero.
 
+#include <CGAL/Shape_interrogation/Constraints/internal/constant_parts.h>
 #include <CGAL/Shape_interrogation/Differentiation/Expression_functions.h>
 #include <CGAL/Shape_interrogation/Number_types/Errors.h>
 
@@ -42,8 +43,9 @@ inline Expression square_of_expression(const Expression& x, int depth = 12)
   }
 }
 
-inline void check_nonzero(const Expression& x, const std::string& what)
+inline void check_distance(const Expression& x, const std::string& what)
 {
+  check_real(x, what);
   if (x.is_constant() && CGAL::is_zero(x.constant()))
     throw Shape_error(what + " is zero: expected another number");
 }

@@ -26,6 +26,27 @@ namespace CGAL {
 namespace Shape_interrogation {
 namespace internal {
 
+// The cells on both sides of each line across the axis, in order; all of them or the unresolved ones.
+using Lines_of_cells = std::map<double, std::array<std::vector<int>, 2>>;
+
+inline Lines_of_cells lines_of_cells(const std::vector<Contour_cell>& cells, int axis, bool all)
+{
+  Lines_of_cells lines;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    if (all || !cells[i].is_resolved())
+    {
+      lines[cells[i].box.high[axis]][0].push_back(static_cast<int>(i));
+      lines[cells[i].box.low[axis]][1].push_back(static_cast<int>(i));
+    }
+  const auto before = [&](int a, int b) {
+    return cells[a].box.low[1 - axis] < cells[b].box.low[1 - axis];
+  };
+  for (auto& line : lines)
+    for (auto& side : line.second)
+      std::sort(side.begin(), side.end(), before);
+  return lines;
+}
+
 // A crossing as a cell sees it.
 struct Hit
 {
@@ -107,28 +128,14 @@ private:
       }
   }
 
-  // The cells on both sides of each line across the axis, in order.
   void cross_lines(int axis)
   {
-    std::map<double, std::array<std::vector<int>, 2>> lines;
-    for (std::size_t i = 0; i < m_cells.size(); ++i)
-    {
-      lines[m_cells[i].box.high[axis]][0].push_back(static_cast<int>(i));
-      lines[m_cells[i].box.low[axis]][1].push_back(static_cast<int>(i));
-    }
-    const auto before = [&](int a, int b) {
-      return m_cells[a].box.low[1 - axis] < m_cells[b].box.low[1 - axis];
-    };
-    for (auto& line : lines)
-    {
-      for (auto& side : line.second)
-        std::sort(side.begin(), side.end(), before);
+    for (const auto& line : lines_of_cells(m_cells, axis, true))
       if (is_end(line.first))
         for (int cell : line.second[line.first == 0 ? 1 : 0])
           cross_boundary(axis, line.first, cell);
       else
         cross_line(axis, line.first, line.second[0], line.second[1]);
-    }
   }
 
   void cross_line(int axis, double x, const std::vector<int>& below, const std::vector<int>& above)

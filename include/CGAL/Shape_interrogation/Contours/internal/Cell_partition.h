@@ -91,7 +91,11 @@ private:
     std::array<double, 2> variation;
     const std::array<CGAL::Sign, 2> slopes{f.derivative_sign(0, variation[0]),
                                            f.derivative_sign(1, variation[1])};
-    const int steep = variation[1] > variation[0] ? 1 : 0;
+    // About the same in both variables: the longer side.
+    const int steep = variation[1] > 2 * variation[0]   ? 1
+                      : variation[0] > 2 * variation[1] ? 0
+                      : box.width(1) > box.width(0)     ? 1
+                                                        : 0;
     Contour_cell cell{box, std::move(f), steep, ZERO};
     if (slopes[0] == ZERO && slopes[1] == ZERO)
     {
@@ -110,11 +114,9 @@ private:
     (sign == POSITIVE ? m_partition.positive_area : m_partition.negative_area) += box.area();
   }
 
-  // Puts the cell aside to be cut across `cell.over`, or the other axis if it is too narrow.
+  // Puts the cell aside to be cut across `cell.over`, unless it is too narrow.
   void wait(Contour_cell cell)
   {
-    if (cell.box.width(cell.over) <= smallest_width)
-      cell.over = 1 - cell.over;
     if (cell.box.width(cell.over) <= smallest_width || m_waiting.size() >= m_max_cells)
     {
       m_partition.cells.push_back(std::move(cell));

@@ -136,16 +136,9 @@ private:
     return x;
   }
 
-  // Unresolved cells that touch are one place. Those to the right of a cell are looked at only as
-  // far as they can touch it.
+  // Unresolved cells that touch are one place: those on the two sides of a line, in order.
   void join_unresolved()
   {
-    std::vector<int> cells;
-    for (std::size_t i = 0; i < m_cells.size(); ++i)
-      if (!m_cells[i].is_resolved())
-        cells.push_back(static_cast<int>(i));
-    std::sort(cells.begin(), cells.end(),
-              [&](int a, int b) { return m_cells[a].box.low[0] < m_cells[b].box.low[0]; });
     std::vector<int> place(m_cells.size());
     std::iota(place.begin(), place.end(), 0);
     const auto root = [&](int i) {
@@ -153,31 +146,39 @@ private:
         i = place[i] = place[place[i]];
       return i;
     };
-    for (std::size_t i = 0; i < cells.size(); ++i)
-      for (std::size_t j = i + 1; j < cells.size(); ++j)
-      {
-        if (m_cells[cells[j]].box.low[0] > m_cells[cells[i]].box.high[0])
-          break;
-        if (touch(m_cells[cells[i]].box, m_cells[cells[j]].box))
-          place[root(cells[j])] = root(cells[i]);
-      }
-    for (int cell : cells)
+    for (int axis = 0; axis < 2; ++axis)
+      for (const auto& line : lines_of_cells(m_cells, axis, false))
+        for_touching(line.second, 1 - axis, [&](int a, int b) { place[root(b)] = root(a); });
+    for (std::size_t i = 0; i < m_cells.size(); ++i)
     {
-      int& box = m_box_of[root(cell)];
+      if (m_cells[i].is_resolved())
+        continue;
+      int& box = m_box_of[root(static_cast<int>(i))];
       if (box < 0)
       {
         box = static_cast<int>(m_contour->unresolved.size());
-        m_contour->unresolved.push_back({m_cells[cell].box.low, m_cells[cell].box.high});
+        m_contour->unresolved.push_back({m_cells[i].box.low, m_cells[i].box.high});
       }
-      m_box_of[cell] = box;
-      extend(m_contour->unresolved[box], m_cells[cell].box);
+      m_box_of[i] = box;
+      extend(m_contour->unresolved[box], m_cells[i].box);
     }
   }
 
-  static bool touch(const Cell_box& a, const Cell_box& b)
+  // Calls `join` for the cells below and above a line that have a point in common.
+  template <class Join>
+  void for_touching(const std::array<std::vector<int>, 2>& sides, int other, Join join) const
   {
-    return a.low[0] <= b.high[0] && b.low[0] <= a.high[0] && a.low[1] <= b.high[1] &&
-           b.low[1] <= a.high[1];
+    const std::vector<int>&below = sides[0], &above = sides[1];
+    for (std::size_t i = 0, j = 0; i < below.size() && j < above.size();)
+    {
+      const Cell_box &a = m_cells[below[i]].box, &b = m_cells[above[j]].box;
+      if (a.low[other] <= b.high[other] && b.low[other] <= a.high[other])
+        join(below[i], above[j]);
+      if (a.high[other] < b.high[other])
+        ++i;
+      else
+        ++j;
+    }
   }
 
   static void extend(Unresolved_box_2& place, const Cell_box& box)

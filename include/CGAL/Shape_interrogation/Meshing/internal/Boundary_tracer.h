@@ -13,6 +13,7 @@
 
 #include <CGAL/Shape_interrogation/Meshing/internal/N_space_cover.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/Path_tracer.h>
+#include <CGAL/Shape_interrogation/Meshing/internal/border_beside.h>
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ public:
     const Result<Cover_vertex> landed = land(near, side);
     if (!landed)
       return false;
-    if (has_boundary_near(landed->chart, side, 0.75))
+    if (has_boundary_near(landed->chart, side, 0.75) || put_between(*landed, side))
       return true;
     trace_from(*landed, side);
     while (!m_corners.empty())
@@ -54,11 +55,44 @@ public:
       const Cover_vertex start = m_cover.vertices()[corner];
       if (!has_boundary_near(start.chart, next_side, 1.3, corner))
         trace_from(start, next_side, corner);
+      else if (!has_border(corner, next_side))
+        m_cover.add_loose_end(corner); // what is near there may be another corner
     }
     return true;
   }
 
+  // Puts a vertex into the middle between two that follow each other on a bound. Returns false if
+  // they do not.
+  bool split(int a, int b)
+  {
+    const auto border = m_cover.borders().find(std::minmax(a, b));
+    if (border == m_cover.borders().end())
+      return false;
+    const N_space_chart &chart = m_cover.vertices()[a].chart, &other = m_cover.vertices()[b].chart;
+    std::vector<double> middle = chart.point;
+    for (std::size_t k = 0; k < middle.size(); ++k)
+      middle[k] = (middle[k] + other.point[k]) / 2;
+    Result<Cover_vertex> v = correct_on(middle, border->second);
+    if (!v)
+      return false;
+    Cover_vertex w = *v;
+    double turning;
+    m_cover.fit(w, chart, turning);
+    return put_between(w, border->second);
+  }
+
 private:
+  // Where vertices that follow each other are far apart for the size that is needed now, another
+  // one comes between them. (To trace the curve again would put a second row beside the first.)
+  bool put_between(const Cover_vertex& v, int side)
+  {
+    const std::pair<int, int> border = border_beside(m_cover, v.chart, side);
+    if (border.first < 0)
+      return false;
+    m_cover.split_border(border.first, border.second, m_cover.insert(v));
+    return true;
+  }
+
   static std::uint64_t bit(int side) { return std::uint64_t(1) << side; }
 
   Result<Cover_vertex> land(const Cover_vertex& near, int side)
@@ -88,6 +122,13 @@ private:
     w.chart.point[s.variable] = s.value;
     w.sides = bit(side);
     return w;
+  }
+
+  bool has_border(int vertex, int side) const
+  {
+    return std::any_of(m_cover.borders().begin(), m_cover.borders().end(), [&](const auto& b) {
+      return b.second == side && (b.first.first == vertex || b.first.second == vertex);
+    });
   }
 
   bool has_boundary_near(const N_space_chart& chart, int side, double radius, int except = -1) const
@@ -131,8 +172,17 @@ private:
     }
     const bool keeps_front = corner >= 0 || is_corner(curve.front());
     thin(curve, keeps_front, is_corner(curve.back()));
+    std::vector<int> vertices;
     for (const Cover_vertex& v : curve)
-      add(v, side);
+      vertices.push_back(add(v, side));
+    for (std::size_t i = 1; i < vertices.size(); ++i)
+      m_cover.add_border(vertices[i - 1], vertices[i], side);
+    if (is_closed)
+      m_cover.add_border(vertices.back(), vertices.front(), side);
+    else
+      for (const Cover_vertex* end : {&curve.front(), &curve.back()})
+        if (!is_corner(*end))
+          m_cover.add_loose_end(end == &curve.front() ? vertices.front() : vertices.back());
     for (const auto& [point, evidence] : m_singular_ends)
       for (int v = static_cast<int>(m_cover.vertices().size()); v-- > 0;)
         if (m_cover.vertices()[v].chart.point == point)
@@ -210,14 +260,11 @@ private:
       curve.erase(curve.begin() + 1);
   }
 
-  // Corners are shared by the curves that end there.
-  void add(const Cover_vertex& v, int side)
+  // Corners are shared by the curves that end there. Returns the index.
+  int add(const Cover_vertex& v, int side)
   {
     if (!is_corner(v))
-    {
-      m_cover.insert(v);
-      return;
-    }
+      return m_cover.insert(v);
     int corner = -1;
     m_cover.for_each_near(v.chart, 0.3, [&](const Near_vertex& near) {
       const std::uint64_t sides = m_cover.vertices()[near.vertex].sides;
@@ -231,6 +278,7 @@ private:
     for (int i = 0; i < static_cast<int>(m_cover.sides().size()); ++i)
       if (i != side && (v.sides & bit(i)))
         m_corners.emplace_back(corner, i);
+    return corner;
   }
 
   const N_space_system& m_system;

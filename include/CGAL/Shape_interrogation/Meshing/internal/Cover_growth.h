@@ -140,7 +140,9 @@ private:
     for (int attempt = 0; attempt < 12; ++attempt)
     {
       const Voronoi_cell cell = cell_of(m_cover, vertex, 1.6);
-      const double turning = largest_turning(vertex, cell);
+      const auto [turning, farther] = largest_turning(vertex, cell);
+      if (turning > 0.9 * m_cover.max_turning() && m_boundary.split(vertex, farther))
+        continue;
       if (turning > 0.9 * m_cover.max_turning() &&
           m_cover.shrink(vertex, 0.8 * m_cover.max_turning() / turning))
       {
@@ -169,14 +171,16 @@ private:
     }
   }
 
-  double largest_turning(int vertex, const Voronoi_cell& cell) const
+  // The largest turning along an edge, and the vertex at the other end.
+  std::pair<double, int> largest_turning(int vertex, const Voronoi_cell& cell) const
   {
-    double cosine = 1;
+    std::pair<double, int> largest(0, vertex);
     for (const Voronoi_cell::Corner& c : cell.corners())
-      if (c.before >= 0 && c.after >= 0)
-        cosine = (std::min)(cosine, angle_between(m_cover.vertices()[vertex].chart,
-                                                  m_cover.vertices()[c.after].chart).cosine);
-    return std::acos(cosine);
+      for (int other : {c.before, c.after})
+        if (other >= 0)
+          largest = (std::max)(largest, {std::acos(angle_between(
+            m_cover.vertices()[vertex].chart, m_cover.vertices()[other].chart).cosine), other});
+    return largest;
   }
 
   double mean_unit(int vertex, const Voronoi_cell::Corner& c) const

@@ -21,6 +21,7 @@
 #include <cmath>
 #include <cstdint>
 #include <deque>
+#include <map>
 #include <optional>
 #include <string>
 #include <unordered_set>
@@ -189,6 +190,36 @@ public:
   // A vertex can be found to lie on more bounds.
   void add_sides(int vertex, std::uint64_t sides) { m_vertices[vertex].sides |= sides; }
 
+  // Vertices that follow each other on a bound: between them the mesh may end.
+  void add_border(int a, int b, int side)
+  {
+    if (a != b)
+      m_borders.emplace(std::minmax(a, b), side);
+  }
+
+  // A new vertex comes between two that follow each other.
+  void split_border(int a, int b, int middle)
+  {
+    const auto found = m_borders.find(std::minmax(a, b));
+    const int side = found->second;
+    m_borders.erase(found);
+    add_border(a, middle, side);
+    add_border(middle, b, side);
+  }
+
+  // Who follows a vertex is not known where the curve on the bound could not be traced further.
+  void add_loose_end(int vertex) { m_loose_ends.insert(vertex); }
+
+  // The pairs of vertices that follow each other, and on which bound.
+  const std::map<std::pair<int, int>, int>& borders() const { return m_borders; }
+
+  bool is_border(int a, int b) const
+  {
+    return (m_vertices[a].sides & m_vertices[b].sides) != 0 &&
+           (m_borders.count(std::minmax(a, b)) != 0 || m_loose_ends.count(a) != 0 ||
+            m_loose_ends.count(b) != 0);
+  }
+
 private:
   // A sheet leaves its tangent plane about in proportion to the angle by which that turns. A vertex
   // that is farther from the plane than this explains belongs to another sheet.
@@ -214,7 +245,8 @@ private:
   std::vector<Cover_vertex> m_vertices;
   std::deque<int> m_queue;
   std::vector<Cover_stop> m_stops;
-  std::unordered_set<int> m_is_stop;
+  std::unordered_set<int> m_is_stop, m_loose_ends;
+  std::map<std::pair<int, int>, int> m_borders;
 };
 
 } // namespace internal

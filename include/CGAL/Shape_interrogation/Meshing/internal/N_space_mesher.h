@@ -183,14 +183,17 @@ private:
     mesh.report.manifold = built.is_manifold;
     fill_n_space_properties(m_system, m_cover, built.source, mesh);
     measure_distances(m_cover, triangles, built.source, m_options.edge_length, mesh, m_go_on);
-    mesh.folds = Fold_finder(m_cover)(triangles);
+    Fold_finder find_folds(m_cover);
+    mesh.folds = find_folds(triangles);
     mesh.rims = rims(triangles);
     for (const Cover_stop& s : m_cover.stops())
       mesh.stops.push_back({m_cover.vertices()[s.vertex].chart.point, s.code, s.evidence});
+    for (const std::vector<double>& end : find_folds.ends())
+      mesh.stops.push_back({end, Refusal_code::UNDECIDED, "a fold could not be followed"});
     return mesh;
   }
 
-  // Sides with one triangle whose ends are not on the same bound.
+  // Sides with one triangle whose ends do not follow each other on a bound.
   std::vector<N_space_polyline> rims(const std::vector<Soup_triangle>& triangles) const
   {
     std::vector<std::pair<std::size_t, std::size_t>> sides;
@@ -205,7 +208,7 @@ private:
       while (end < sides.size() && sides[end] == sides[i])
         ++end;
       const auto& [a, b] = sides[i];
-      if (end == i + 1 && (m_cover.vertices()[a].sides & m_cover.vertices()[b].sides) == 0)
+      if (end == i + 1 && !m_cover.is_border(static_cast<int>(a), static_cast<int>(b)))
         open.push_back(sides[i]);
       i = end;
     }

@@ -164,13 +164,21 @@ private:
     m_is_agreed.resize(kept);
   }
 
-  bool is_on_bound(int a, int b) const
+  // A border without a triangle, in the direction that its triangle needs.
+  std::pair<int, int> with_inside_left(const std::pair<int, int>& border, int side) const
   {
-    return (m_cover.vertices()[a].sides & m_cover.vertices()[b].sides) != 0;
+    const auto& [a, b] = border;
+    const Bound_side& bound = m_cover.sides()[side];
+    const N_space_chart& chart = m_cover.vertices()[a].chart;
+    const Chart_vector along = place_in(chart, m_cover.vertices()[b].chart.point).at;
+    const Chart_vector g = gradient_of_variable(chart, bound.variable);
+    const double left = bound.sign * (along[0] * g[1] - along[1] * g[0]);
+    return left > 0 ? border : std::make_pair(b, a);
   }
 
-  // Chains of sides without a neighbour, in the direction that their triangles need. They are
-  // closed, or can be by a side on a bound that has no triangle.
+  // Chains of sides without a neighbour, in the direction that their triangles need, with those on
+  // bounds that have no triangle at all. They are closed, or can be by a side on a bound where that
+  // was not traced.
   std::vector<std::vector<int>> holes() const
   {
     constexpr std::size_t longest = 16;
@@ -179,9 +187,12 @@ private:
       for (int i = 0; i < 3; ++i)
       {
         const int a = int(t[i]), b = int(t[(i + 1) % 3]);
-        if (!has_side(b, a) && !is_on_bound(a, b))
+        if (!has_side(b, a) && !m_cover.is_border(a, b))
           open.emplace_back(b, a);
       }
+    for (const auto& [border, side] : m_cover.borders())
+      if (!has_side(border.first, border.second) && !has_side(border.second, border.first))
+        open.push_back(with_inside_left(border, side));
     std::unordered_map<int, std::vector<int>> next;
     std::unordered_set<int> ended; // by a side
     for (const auto& [a, b] : open)
@@ -206,7 +217,7 @@ private:
       const bool is_closed = v == a && *std::min_element(hole.begin(), hole.end()) == a;
       if (v != a && hole.size() < longest)
         hole.push_back(v);
-      const bool lacks_bound = v != a && !ended.count(a) && is_on_bound(v, a) &&
+      const bool lacks_bound = v != a && !ended.count(a) && m_cover.is_border(v, a) &&
                                !has_side(v, a) && !has_side(a, v);
       if ((is_closed || lacks_bound) && !is_stopped && hole.size() >= 3)
         result.push_back(hole);

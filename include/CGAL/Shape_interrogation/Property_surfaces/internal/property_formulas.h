@@ -123,7 +123,7 @@ Property_terms<R> property_terms(Surface_forms<R>& s, Property property,
   case Property::SECOND_FORM_DETERMINANT: return over_weight(s.determinant(), 8);
   case Property::GAUSSIAN: return {s.times_weight(s.determinant(), 4), s.normal_fourth(), {}};
   case Property::MEAN_SQUARED:
-    return {s.times_weight(s.mean_squared(), 2), R(4) * s.normal_sixth(), {}};
+    return {s.times_weight(s.mean_squared(), 2) * R(NT(NT(1) / NT(4))), s.normal_sixth(), {}};
   case Property::CURVATURE_BOUND: return curvature_squares(s, 2);
   case Property::UMBILIC: return curvature_squares(s, 4);
   case Property::SILHOUETTE: return over_weight(silhouette(s, in), 3);

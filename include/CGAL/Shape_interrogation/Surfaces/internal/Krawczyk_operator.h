@@ -14,7 +14,7 @@
 
 #include <CGAL/Shape_interrogation/Number_types/Answer_union.h>
 #include <CGAL/Shape_interrogation/Surfaces/N_space_system.h>
-#include <CGAL/Shape_interrogation/Surfaces/internal/Elimination_plan.h>
+#include <CGAL/Shape_interrogation/Surfaces/internal/plan_elimination.h>
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>
 
 #include <CGAL/Interval_nt.h>

@@ -40,6 +40,35 @@ inline void add_multiple(std::vector<double>& y, double c, const std::vector<dou
     y[i] += c * x[i];
 }
 
+// That of the largest absolute value or of the last one that is no number; -1 if there is none.
+inline int index_of_largest(const std::vector<double>& v)
+{
+  int index = -1;
+  for (std::size_t i = 0; i < v.size(); ++i)
+    if (index < 0 || !(std::fabs(v[i]) <= std::fabs(v[index])))
+      index = static_cast<int>(i);
+  return index;
+}
+
+inline double largest(const std::vector<double>& v)
+{
+  return v.empty() ? 0 : std::fabs(v[index_of_largest(v)]);
+}
+
+// The shortest step meets contradictory conditions as well as it can.
+inline bool are_met(const std::vector<N_space_condition>& conditions,
+                    const std::vector<double>& excess, double size)
+{
+  for (std::size_t c = 0; c < conditions.size(); ++c)
+  {
+    const std::vector<double>& a = conditions[c].coefficients;
+    const double length = std::sqrt(dot_product(a, a));
+    if (!(std::fabs(excess[c]) <= 1e-9 * (length * size + std::fabs(conditions[c].value))))
+      return false;
+  }
+  return true;
+}
+
 class Orthonormal_kernel
 {
 public:

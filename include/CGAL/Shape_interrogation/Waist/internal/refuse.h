@@ -16,10 +16,13 @@
 #include <CGAL/Shape_interrogation/Number_types/Number_type_traits.h>
 #include <CGAL/Shape_interrogation/Waist/Refusal.h>
 
+#include <cstddef>
 #include <locale>
 #include <optional>
 #include <sstream>
 #include <string>
+#include <type_traits>
+#include <vector>
 
 namespace CGAL {
 namespace Shape_interrogation {
@@ -81,6 +84,20 @@ std::optional<Refusal> refuse_nonzero(const NT& x, Refusal_code code, const char
   else if (Number_type_traits<NT>::is_finite(x))
     return std::nullopt;
   return nonzero_refusal(x, code, what);
+}
+
+// Refuses coordinates in floating point that are no numbers: equations that do not depend on them
+// would not tell.
+template <class NT>
+std::optional<Refusal> refuse_not_finite(const std::vector<NT>& point,
+                                         const std::vector<std::string>& names)
+{
+  if constexpr (std::is_floating_point_v<NT>)
+    for (std::size_t i = 0; i < point.size(); ++i)
+      if (!Number_type_traits<NT>::is_finite(point[i]))
+        return Refusal(Refusal_code::LIMIT_EXCEEDED,
+                       "the coordinate " + names[i] + " of the point is not finite");
+  return std::nullopt;
 }
 
 // Runs an evaluation whose number type may throw, and turns what it throws into a refusal.
