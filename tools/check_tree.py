@@ -32,7 +32,7 @@ STANDS_ON = {
     "Splines": ["Bernstein", "Curves"],
     "Contours": ["Bernstein", "Waist"],
     "Property_surfaces": ["Splines", "Surfaces", "Analysis"],
-    "Meshing": ["Analysis", "Surfaces"],
+    "Meshing": ["Analysis", "Surfaces", "Property_surfaces"],
     "IO": ["Meshing"],
 }
 UMBRELLA = "CGAL/Shape_interrogation.h"

@@ -73,16 +73,16 @@ private:
  *
  * \details The square is triangulated by a constrained Delaunay triangulation with exact
  * predicates, with all edges of the contour's polygons and vertices at about the distance of
- * `options`, nearer to each other only where points of the contour are. Triangles that are connected
- * without crossing a curve have the same region: it is asked for at one point, the centre of the
- * largest circle inside of one of them. So the region of triangles is that of the part of the square
- * in which this point is; beside a curve, between its polygon and the curve itself, points of a
- * triangle belong to the next region. The result is deterministic.
+ * `options`, nearer to each other only where points of the contour are. Triangles that are
+ * connected without crossing a curve have the same region: it is asked for at one point, the
+ * centre of the largest circle inside of one of them. So the region of triangles is that of the
+ * part of the square in which this point is; beside a curve, between its polygon and the curve
+ * itself, points of a triangle belong to the next region. The result is deterministic.
  *
  * <b>Unresolved boxes.</b> Those up to the width `Domain_options::point_width` are contracted to a
- * vertex, in which the curves that end there meet; if the box reaches the boundary of the square, so
- * does the vertex. Greater boxes are kept as rectangles: all triangles inside of them have the region
- * `unresolved_region`.
+ * vertex, in which the curves that end there meet; if the box reaches the boundary of the square,
+ * so does the vertex. Greater boxes are kept as rectangles: all triangles inside of them have the
+ * region `unresolved_region`.
  *
  * \tparam Classify a function object that takes a point, `const std::array<double, 2>&`, with
  * coordinates that are multiples of \f$ 2^{-52} \f$, and returns a region as an integer from 0, or

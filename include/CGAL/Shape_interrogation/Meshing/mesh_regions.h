@@ -34,7 +34,8 @@ struct Region_mesh
 
 /*!
  * \ingroup PkgShapeInterrogationMeshing
- * \brief triangulates a patch with its regions: the triangles of `divide_domain()`, lifted to space.
+ * \brief triangulates a patch with its regions: the triangles of `divide_domain()`, lifted to
+ * space.
  *
  * \details Triangles are oriented by \f$ S_u \times S_v \f$; for the opposite normal mesh
  * `Bezier_surface_3::transposed()`. The vertex properties are those of `Shape_property_maps` and
@@ -44,8 +45,8 @@ struct Region_mesh
  * distance of the triangles is measured at their centres only.
  *
  * \tparam Classify see `divide_domain()`
- * \tparam Progress is called as `progress(done, total)` with about twice the number of vertices, see
- * `No_progress`
+ * \tparam Progress is called as `progress(done, total)` with about twice the number of vertices,
+ * see `No_progress`
  *
  * \param patch the patch
  * \param contour the curves that divide it, on the unit square
@@ -53,15 +54,15 @@ struct Region_mesh
  * \param options how fine the triangles must be, in the unit square
  * \param progress the progress callback
  *
- * \return the mesh. Refused are more vertices than allowed (`LIMIT_EXCEEDED`), a rational patch with
- * a vanishing weight (`POLE`), a patch that is nowhere regular (`IRREGULAR_PARAMETRISATION`), and
- * what the callback stops (`CANCELLED`).
+ * \return the mesh. Refused are more vertices than allowed (`LIMIT_EXCEEDED`), a rational patch
+ * with a vanishing weight (`POLE`), a patch that is nowhere regular (`IRREGULAR_PARAMETRISATION`),
+ * and what the callback stops (`CANCELLED`).
  *
- * Degenerate cases: an edge of the square that the patch maps to a point becomes one vertex, without
- * the triangles that would have two equal corners, unless the mesh were no manifold then; in this
- * case all vertices are kept, some of them at equal points. Where curves of the contour meet in a
- * point, triangles can be as small as \f$ 10^{-13} \f$ of the domain, so that some in space have no
- * area in floating point.
+ * Degenerate cases: an edge of the square that the patch maps to a point becomes one vertex,
+ * without the triangles that would have two equal corners, unless the mesh were no manifold then;
+ * in this case all vertices are kept, some of them at equal points. Where curves of the contour
+ * meet in a point, triangles can be as small as \f$ 10^{-13} \f$ of the domain, so that some in
+ * space have no area in floating point.
  */
 template <class Classify, class Progress = No_progress>
 Result<Region_mesh> mesh_regions(const Bezier_surface_3<Exact_rational>& patch,
@@ -95,9 +96,9 @@ struct Trichotomy_mesh
 
 /*!
  * \ingroup PkgShapeInterrogationMeshing
- * \brief triangulates a patch with its convex, concave and saddle parts, see `trichotomy_of_patch()`
- * and `mesh_regions()`. The points of the boundary curves are not farther from each other than the
- * edges of the mesh.
+ * \brief triangulates a patch with its convex, concave and saddle parts, see
+ * `trichotomy_of_patch()` and `mesh_regions()`. The points of the boundary curves are not farther
+ * from each other than the edges of the mesh.
  *
  * \param patch the patch
  * \param options how fine the triangles must be, in the unit square

@@ -54,9 +54,9 @@ private:
 
 /*!
  * \ingroup PkgShapeInterrogationMeshing
- * \brief tells whether a patch is convex, concave, saddle-shaped or flat at a point: the regions are
- * the values of `Region`. On the boundary between parts, and where the patch is not regular, the
- * region is unresolved.
+ * \brief tells whether a patch is convex, concave, saddle-shaped or flat at a point: the regions
+ * are the values of `Region`. On the boundary between parts, and where the patch is not regular,
+ * the region is unresolved.
  *
  * Source: Elber and Cohen, section 3.4.
  */

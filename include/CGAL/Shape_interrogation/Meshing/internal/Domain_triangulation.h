@@ -92,11 +92,11 @@ private:
     const Vertex v = insert(a), w = insert(b);
     if (v != w)
       m_cdt.insert_constraint(v, w);
-    const bool is_on_side = (a[0] == b[0] && (a[0] == 0 || a[0] == 1)) ||
-                            (a[1] == b[1] && (a[1] == 0 || a[1] == 1));
-    if (v == w || !is_on_side)
+    if (v == w || !((a[0] == b[0] && is_on_side(a[0])) || (a[1] == b[1] && is_on_side(a[1]))))
       m_near.add(a, b);
   }
+
+  static bool is_on_side(double x) { return x == 0 || x == 1; }
 
   static Domain_point middle(const Unresolved_box_2& box)
   {
@@ -116,7 +116,17 @@ private:
     const auto &a = box.low, &b = box.high;
     const std::array<Domain_point, 4> p{{{a[0], a[1]}, {b[0], a[1]}, {b[0], b[1]}, {a[0], b[1]}}};
     for (int k = 0; k < 4; ++k)
+    {
       insert_edge(p[k], p[(k + 1) % 4]);
+      const int axis = k % 2;
+      const int n = static_cast<int>(std::ceil((b[axis] - a[axis]) / m_step));
+      Domain_point q = p[k];
+      for (int i = 1; i < n; ++i)
+      {
+        q[axis] = a[axis] + (b[axis] - a[axis]) * i / n;
+        insert(q);
+      }
+    }
   }
 
   void insert_curve(const Contour_curve_2& curve, const std::vector<Unresolved_box_2>& boxes)
@@ -138,15 +148,22 @@ private:
       insert_edge(line[i], line[i + 1]);
   }
 
+  // On each side at equal distances, not next to the ends of curves. Curves may run along it.
   void insert_sides()
   {
+    std::vector<Domain_point> ends;
+    for (const Vertex v : m_cdt.finite_vertex_handles())
+      if (is_on_side(v->point().x()) || is_on_side(v->point().y()))
+        ends.push_back({v->point().x(), v->point().y()});
     const int n = static_cast<int>(std::ceil(1 / m_step));
     for (int k = 0; k < 4; ++k)
       for (int i = 1; i < n; ++i)
       {
         const double t = double(i) / n;
         const Domain_point p{k % 2 == 0 ? t : k / 2 * 1., k % 2 == 0 ? k / 2 * 1. : t};
-        if (!m_near.is_near(p))
+        if (std::none_of(ends.begin(), ends.end(), [&](const Domain_point& q) {
+              return std::hypot(q[0] - p[0], q[1] - p[1]) < m_step / 4;
+            }))
           insert(p);
       }
   }
