@@ -32,7 +32,7 @@ STANDS_ON = {
     "Splines": ["Bernstein", "Curves"],
     "Contours": ["Bernstein", "Waist"],
     "Property_surfaces": ["Splines", "Surfaces", "Analysis"],
-    "Meshing": ["Analysis", "Surfaces", "Property_surfaces"],
+    "Meshing": ["Property_surfaces", "Contours"],
     "IO": ["Meshing"],
 }
 UMBRELLA = "CGAL/Shape_interrogation.h"

@@ -435,8 +435,8 @@ TEST(Regions, refuse_what_cannot_be_meshed)
   const auto curve = mesh_regions(bilinear(p, p, q, q), {}, [](const Point_2&) { return 0; });
   ASSERT_FALSE(curve);
   EXPECT_EQ(curve.refusal().code(), Refusal_code::IRREGULAR_PARAMETRISATION);
-  const auto pole = mesh_regions(Patch(Points{{p, q}, {q, p}}, Weights{{Q(1), Q(1)}, {Q(1), Q(-1)}}),
-                                 {}, [](const Point_2&) { return 0; });
+  const Patch with_pole(Points{{p, q}, {q, p}}, Weights{{Q(1), Q(1)}, {Q(1), Q(-1)}});
+  const auto pole = mesh_regions(with_pole, {}, [](const Point_2&) { return 0; });
   ASSERT_FALSE(pole);
   EXPECT_EQ(pole.refusal().code(), Refusal_code::POLE);
   const auto stopped = mesh_regions(graph(u * v), {}, [](const Point_2&) { return 0; }, {},
