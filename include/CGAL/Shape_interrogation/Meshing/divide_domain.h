@@ -73,11 +73,13 @@ private:
  *
  * \details The square is triangulated by a constrained Delaunay triangulation with exact
  * predicates, with all edges of the contour's polygons and vertices at about the distance of
- * `options`, nearer to each other only where points of the contour are. Triangles that are
- * connected without crossing a curve have the same region: it is asked for at one point, the
- * centre of the largest circle inside of one of them. So the region of triangles is that of the
- * part of the square in which this point is; beside a curve, between its polygon and the curve
- * itself, points of a triangle belong to the next region. The result is deterministic.
+ * `options`, nearer to each other only where points of the contour are. (Edges are at most twice
+ * as long if the points of the contour are that near to each other; polygons are not divided
+ * further.) Triangles that are connected without crossing a curve have the same region: it is
+ * asked for at one point, inside of a triangle that is as many edges as possible away from curves.
+ * So the region of triangles is that of the part of the square in which this point is; beside a
+ * curve, between its polygon and the curve itself, points of a triangle belong to the next region.
+ * The result is deterministic.
  *
  * <b>Unresolved boxes.</b> Those up to the width `Domain_options::point_width` are contracted to a
  * vertex, in which the curves that end there meet; if the box reaches the boundary of the square,
