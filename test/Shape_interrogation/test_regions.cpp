@@ -362,6 +362,18 @@ TEST(Regions, beside_branches_that_nearly_touch)
   }
 }
 
+TEST(Regions, are_right_beside_coarse_curves)
+{
+  // A curve in few pieces: the widest triangles are between it and its polygon.
+  const P f = P::from_coefficients({3, 1}, {Q(9), Q(-8), Q(-7), Q(-9), Q(8), Q(5), Q(5), Q(5)});
+  Contour_options coarse;
+  coarse.step = 0.2;
+  const auto c = contour(f, coarse);
+  const auto d = divide_domain(*c, Sign_classifier(f));
+  EXPECT_EQ(number_of_parts(*d), 2);
+  EXPECT_NEAR(d->area(1), checked_domain(f).area(1), 0.05);
+}
+
 // All triangles without a corner on a curve have the sign at their centroids.
 TEST(Regions, have_the_signs_of_random_polynomials)
 {
@@ -431,6 +443,11 @@ TEST(Regions, refuse_what_cannot_be_meshed)
   const auto many = mesh_trichotomy(graph(u * v), few);
   ASSERT_FALSE(many);
   EXPECT_EQ(many.refusal().code(), Refusal_code::LIMIT_EXCEEDED);
+  Contour_2 slit;
+  slit.curves.push_back({{{0, 0.5}, {0.5, 0.5}}, false, {-1, -1}});
+  const auto open_end = divide_domain(slit, [](const Point_2&) { return 0; });
+  ASSERT_FALSE(open_end);
+  EXPECT_EQ(open_end.refusal().code(), Refusal_code::UNDECIDED);
   const Point p{Q(1), Q(2), Q(3)}, q{Q(2), Q(2), Q(3)};
   const auto curve = mesh_regions(bilinear(p, p, q, q), {}, [](const Point_2&) { return 0; });
   ASSERT_FALSE(curve);

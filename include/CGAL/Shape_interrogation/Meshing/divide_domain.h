@@ -29,6 +29,17 @@ namespace Shape_interrogation {
 
 namespace internal {
 
+// Whether a curve ends inside of the square, so that it divides nothing.
+inline bool ends_inside(const Contour_curve_2& curve)
+{
+  const auto is_inside = [](const Domain_point& p) {
+    return p[0] > 0 && p[0] < 1 && p[1] > 0 && p[1] < 1;
+  };
+  return !curve.is_closed &&
+         ((curve.unresolved[0] < 0 && is_inside(curve.points.front())) ||
+          (curve.unresolved[1] < 0 && is_inside(curve.points.back())));
+}
+
 // The edges of triangles on the zero set: constraints that are no side of a box, and sides of the
 // square where the polynomial vanishes.
 class Contour_edge_finder
@@ -96,7 +107,8 @@ private:
  * \param options how fine the triangles must be
  *
  * \return the divided square; it is refused if it needs more vertices than allowed
- * (`LIMIT_EXCEEDED`)
+ * (`LIMIT_EXCEEDED`), or if a curve ends inside of the square and not in an unresolved box
+ * (`UNDECIDED`)
  *
  * \pre `options.edge_length` is positive
  *
@@ -115,6 +127,8 @@ Result<Divided_domain> divide_domain(const Contour_2& contour, Classify classify
   if (!(vertices <= double(options.max_vertices)))
     return Refusal(Refusal_code::LIMIT_EXCEEDED,
                    "the triangles of the domain need more vertices than are allowed");
+  if (std::any_of(contour.curves.begin(), contour.curves.end(), internal::ends_inside))
+    return Refusal(Refusal_code::UNDECIDED, "a curve of the contour ends inside of the square");
   const internal::Domain_triangulation t(contour, options);
   Divided_domain domain;
   domain.points = t.points;

@@ -54,9 +54,9 @@ struct Region_mesh
  * \param options how fine the triangles must be, in the unit square
  * \param progress the progress callback
  *
- * \return the mesh. Refused are more vertices than allowed (`LIMIT_EXCEEDED`), a rational patch
- * with a vanishing weight (`POLE`), a patch that is nowhere regular (`IRREGULAR_PARAMETRISATION`),
- * and what the callback stops (`CANCELLED`).
+ * \return the mesh. Refused are what `divide_domain()` refuses (`LIMIT_EXCEEDED`, `UNDECIDED`), a
+ * rational patch with a vanishing weight (`POLE`), a patch that is nowhere regular
+ * (`IRREGULAR_PARAMETRISATION`), and what the callback stops (`CANCELLED`).
  *
  * Degenerate cases: an edge of the square that the patch maps to a point becomes one vertex,
  * without the triangles that would have two equal corners, unless the mesh were no manifold then;
