@@ -127,8 +127,8 @@ inline std::vector<std::size_t> order_of_asking(const Domain_triangulation& t,
   return order;
 }
 
-// `classify(point)` returns a region or `unresolved_region`, then the next triangle is tried. None is
-// tried in unresolved boxes.
+// `classify(point)` returns a region or `unresolved_region`, then the next triangle is tried. None
+// is tried in unresolved boxes.
 template <class Classify>
 std::vector<int> regions_of(const Domain_triangulation& t, const Contour_2& contour,
                             const Domain_options& options, Classify classify)
