@@ -32,7 +32,7 @@ STANDS_ON = {
     "Splines": ["Bernstein", "Curves"],
     "Contours": ["Bernstein", "Waist"],
     "Property_surfaces": ["Contours", "Splines", "Surfaces", "Analysis"],
-    "Meshing": ["Analysis", "Surfaces"],
+    "Meshing": ["Property_surfaces"],
     "IO": ["Meshing"],
 }
 UMBRELLA = "CGAL/Shape_interrogation.h"

@@ -24,7 +24,7 @@ namespace Shape_interrogation {
  */
 struct Contour_options
 {
-  //! the greatest distance between neighbouring points of a curve in the unit square, about
+  //! the greatest distance between neighbouring points of a curve in the unit square
   double step = 0.01;
   //! the number of cells that are cut at most; what is open then is unresolved
   std::size_t max_cells = 100000;

@@ -34,6 +34,25 @@ namespace Shape_interrogation {
 
 namespace internal {
 
+// A check on everything before: inside of the square each vertex joins two arcs, unless an
+// unresolved cell is behind it.
+inline void add_cells_of_loose_ends(const std::vector<Contour_vertex>& vertices,
+                                    const std::vector<Contour_arc>& arcs, std::vector<int>& cells)
+{
+  std::vector<int> degree(vertices.size(), 0);
+  for (const Contour_arc& arc : arcs)
+    for (int vertex : arc.vertices)
+      ++degree[vertex];
+  const auto is_loose = [&](int vertex) {
+    const std::array<double, 2>& p = vertices[vertex].point;
+    return degree[vertex] != 2 && vertices[vertex].unresolved_cell < 0 && p[0] > 0 && p[0] < 1 &&
+           p[1] > 0 && p[1] < 1;
+  };
+  for (const Contour_arc& arc : arcs)
+    if (is_loose(arc.vertices[0]) || is_loose(arc.vertices[1]))
+      cells.push_back(arc.cell);
+}
+
 // Traces the zero set in a partition; false where another partition is needed. In the last attempt
 // the cells where it is are given up.
 inline bool trace(const Exact_function& f, std::vector<Contour_cell>& cells, double step,
@@ -49,6 +68,7 @@ inline bool trace(const Exact_function& f, std::vector<Contour_cell>& cells, dou
       for (std::size_t i = 0; i < cells.size(); ++i)
         if (cells[i].is_resolved() && !add_arcs(static_cast<int>(i), arcs))
           degenerate.push_back(static_cast<int>(i));
+    add_cells_of_loose_ends(hits.vertices(), arcs, degenerate);
     if (degenerate.empty())
     {
       Contour_chains(cells, hits.vertices(), arcs, step)(contour);

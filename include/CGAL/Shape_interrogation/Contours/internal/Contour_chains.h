@@ -96,24 +96,32 @@ private:
     return m_box_of[cell];
   }
 
-  // Points of the graph between the ends of an arc.
-  void add_points(const Contour_arc& arc, bool is_forward,
-                  std::vector<std::array<double, 2>>& points) const
+  using Point = std::array<double, 2>;
+
+  // Points of the graph between the ends of an arc, at most a step from each other.
+  void add_points(const Contour_arc& arc, bool is_forward, std::vector<Point>& points) const
   {
-    const Contour_cell& cell = m_cells[arc.cell];
-    const auto& from = m_vertices[arc.vertices[is_forward ? 0 : 1]].point;
-    const auto& to = m_vertices[arc.vertices[is_forward ? 1 : 0]].point;
-    const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
-    const int count = static_cast<int>((std::min)(length / m_step, 1e6));
+    add_between(m_cells[arc.cell], m_vertices[arc.vertices[is_forward ? 0 : 1]].point,
+                m_vertices[arc.vertices[is_forward ? 1 : 0]].point, points);
+  }
+
+  void add_between(const Contour_cell& cell, const Point& from, const Point& to,
+                   std::vector<Point>& points) const
+  {
     const int over = cell.over, other = 1 - over;
-    for (int k = 1; k <= count; ++k)
-    {
-      std::array<double, 2> point;
-      point[over] = from[over] + (to[over] - from[over]) * k / (count + 1);
-      const double t = (point[over] - cell.box.low[over]) / cell.box.width(over);
-      point[other] = cell.box.low[other] + cell.box.width(other) * graph(cell, t);
-      points.push_back(point);
-    }
+    const double middle = from[over] + (to[over] - from[over]) / 2;
+    if (std::hypot(to[0] - from[0], to[1] - from[1]) <= m_step ||
+        !(middle > (std::min)(from[over], to[over]) && middle < (std::max)(from[over], to[over])))
+      return;
+    Point point;
+    point[over] = middle;
+    point[other] =
+      cell.box.low[other] +
+      cell.box.width(other) *
+        graph(cell, (middle - cell.box.low[over]) / cell.box.width(over));
+    add_between(cell, from, point, points);
+    points.push_back(point);
+    add_between(cell, point, to, points);
   }
 
   // The value of the graph, both in the unit interval of the cell, by false position.

@@ -10,15 +10,17 @@
 #define CGAL_SHAPE_INTERROGATION_CONTOURS_INTERNAL_EXACT_FUNCTION_H
 
 // The polynomial whose zero set is asked for, exactly: its signs at points, and its parts on cells
-// rounded once. All coordinates are doubles, multiples of 2^-52 in the unit interval.
+// rounded once. All coordinates are doubles in the unit interval.
 
 #include <CGAL/Shape_interrogation/Bernstein/homogeneous_parameters.h>
 #include <CGAL/Shape_interrogation/Contours/internal/Cell_polynomial.h>
 
 #include <CGAL/Exact_integer.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
+#include <initializer_list>
 #include <utility>
 #include <vector>
 
@@ -38,18 +40,33 @@ struct Cell_box
   double area() const { return width(0) * width(1); }
 };
 
-// Numbers over a common power of two.
+// Doubles over a common power of two.
 struct Dyadic_numbers
 {
   explicit Dyadic_numbers(std::initializer_list<double> numbers)
   {
     int bits = 0;
     for (double x : numbers)
-      while (std::ldexp(x, bits) != std::floor(std::ldexp(x, bits)))
-        ++bits;
+      bits = (std::max)(bits, -last_bit(x));
     denominator <<= bits;
     for (double x : numbers)
-      numerators.emplace_back(static_cast<long>(std::ldexp(x, bits)));
+    {
+      const int last = last_bit(x);
+      numerators.emplace_back(static_cast<long>(std::ldexp(x, -last)));
+      numerators.back() <<= bits + last;
+    }
+  }
+
+  // The exponent of the last bit of a double that is not greater than 1.
+  static int last_bit(double x)
+  {
+    int exponent;
+    long mantissa = static_cast<long>(std::ldexp(std::frexp(x, &exponent), 53));
+    if (mantissa == 0)
+      return 0;
+    for (exponent -= 53; mantissa % 2 == 0; mantissa /= 2)
+      ++exponent;
+    return (std::min)(exponent, 0);
   }
 
   std::vector<Exact_integer> numerators;

@@ -32,11 +32,6 @@ constexpr std::int32_t parameter_end = std::int32_t(1) << 29;
 
 inline double parameter_value(std::int32_t t) { return double(t) / double(parameter_end); }
 
-inline Exact_rational exact_parameter(std::int32_t t)
-{
-  return Exact_rational(t) / Exact_rational(parameter_end);
-}
-
 using Exact_point = Coordinates<Exact_rational, 3>;
 using Exact_homogeneous_point = Coordinates<Exact_rational, 4>;
 

@@ -18,6 +18,7 @@
 #include <CGAL/Shape_interrogation/Meshing/internal/limit_normal.h>
 #include <CGAL/Shape_interrogation/Meshing/internal/set_shape.h>
 
+#include <cmath>
 #include <map>
 #include <optional>
 #include <utility>
@@ -42,16 +43,50 @@ public:
     : m_exact(patch), m_enclosure(enclose(patch)), m_is_flipped(is_flipped)
   {}
 
-  Result<Vertex_shape> operator()(std::int32_t u, std::int32_t v) const
+  Result<Vertex_shape> operator()(double u, double v) const
   {
     using Interval = Interval_nt<false>;
     const Result<Vertex_shape> shape = vertex_shape(
-      [&] { return m_enclosure({Interval(parameter_value(u)), Interval(parameter_value(v))}); },
-      [&] { return m_exact({exact_parameter(u), exact_parameter(v)}); });
+      [&] { return m_enclosure({Interval(u), Interval(v)}); },
+      [&] { return m_exact({Exact_rational(u), Exact_rational(v)}); });
     return shape && m_is_flipped ? Result<Vertex_shape>(opposite(*shape)) : shape;
   }
 
+  // The point and a bound of its distance from that of the patch.
+  Result<Double_point> point(double u, double v, double& distance) const
+  {
+    const Result<Double_point> enclosed = enclosed_point(u, v, distance);
+    if (enclosed && distance <= 1e-15 * (std::fabs((*enclosed)[0]) + std::fabs((*enclosed)[1]) +
+                                         std::fabs((*enclosed)[2])))
+      return enclosed;
+    const auto exact = m_exact.point({Exact_rational(u), Exact_rational(v)});
+    if (!exact)
+      return exact.refusal();
+    Vertex_store rounded;
+    rounded.add(*exact);
+    distance = rounded.max_distance();
+    return rounded[0];
+  }
+
 private:
+  Result<Double_point> enclosed_point(double u, double v, double& distance) const
+  {
+    using Interval = Interval_nt<false>;
+    const Interval::Protector protector;
+    const auto p = m_enclosure.point({Interval(u), Interval(v)});
+    if (!p)
+      return p.refusal();
+    Interval squares(0);
+    Double_point middle;
+    for (int k = 0; k < 3; ++k)
+    {
+      middle[k] = ((*p)[k].inf() + (*p)[k].sup()) / 2;
+      squares += CGAL::square((*p)[k] - Interval(middle[k]));
+    }
+    distance = CGAL::sqrt(squares).sup();
+    return middle;
+  }
+
   static Bezier_surface_3<Interval_nt<false>> enclose(const Bezier_surface_3<Exact_rational>& patch)
   {
     const Interval_nt<false>::Protector protector;
@@ -90,8 +125,8 @@ inline std::optional<Refused_place> fill_vertex(Shape_property_maps& maps,
   std::optional<Refused_place> refused;
   for (const Patch_place& place : places)
   {
-    const Result<Vertex_shape> shape = patches[place.patch](place.u, place.v);
     const double u = parameter_value(place.u), t = parameter_value(place.v);
+    const Result<Vertex_shape> shape = patches[place.patch](u, t);
     if (shape || !refused)
     {
       where.vertex_patch[v] = place.patch;
