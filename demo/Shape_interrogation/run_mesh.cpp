@@ -128,13 +128,6 @@ void store(const si::N_space_mesh& mesh, const std::vector<std::string>& surface
     result.line += ", could not be followed at " + std::to_string(mesh.stops.size()) + " vertices";
 }
 
-void refuse(const si::Refusal& refusal, Task_result& result)
-{
-  result.status = "refused";
-  result.code = si::to_string(refusal.code());
-  result.text = refusal.evidence();
-}
-
 void write(const Mesh_task& task, const std::filesystem::path& directory, si::Shape_mesh& mesh,
            Task_result& result)
 {
