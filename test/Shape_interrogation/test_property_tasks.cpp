@@ -6,8 +6,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 //
 
-// The tasks property and bound of the program: values, coefficients, verdicts, files, refusals, and
-// messages about fields.
+// The tasks property, bound, contour and trichotomy of the program: values, coefficients, verdicts,
+// curves, areas, files, refusals, and messages about fields.
 
 #include "Model_error.h"
 #include "read_model.h"
@@ -199,6 +199,90 @@ TEST(Property_tasks, explain_what_is_wrong)
   expect_message(task_of("property", "bowl", "silhouette", R"("view":[0,0,1],"eye":[0,0,1])"),
                  "one of them");
   expect_message(task_of("property", "bowl", "speed", R"("view":[0,0,1])"), "view");
+}
+
+Task_result contour(const std::string& surface, const std::string& rest)
+{
+  return run(R"({"task":"contour","surface":")" + surface + "\"," + rest + "}");
+}
+
+TEST(Contour_tasks, trace_properties_and_plane_sections)
+{
+  // The squared tangent is (3/5 u)^2 + (4/5 v)^2: a quarter of an ellipse.
+  const Task_result slope = contour("bowl", R"("property":"slope","level":"1/4")");
+  ASSERT_EQ(slope.status, "ok") << slope.text;
+  ASSERT_EQ(slope.fields["curves"].size(), 1u);
+  EXPECT_EQ(slope.fields["certified_topology"], true);
+  const Report_json curve = slope.fields["curves"][0];
+  EXPECT_EQ(curve["closed"], false);
+  EXPECT_EQ(curve["ended"], Report_json::array({"boundary", "boundary"}));
+  ASSERT_EQ(curve["points"].size(), curve["parameters"].size());
+  for (const Report_json& p : curve["parameters"])
+  {
+    const double u = p[0], v = p[1];
+    EXPECT_NEAR(u * u * 9 / 25 + v * v * 16 / 25, 0.25, 1e-12);
+  }
+  const Task_result plane = contour("bowl", R"("plane":[0,0,1,"-3/10"])");
+  ASSERT_EQ(plane.status, "ok") << plane.text;
+  for (const Report_json& x : plane.fields["curves"][0]["points"])
+    EXPECT_NEAR(x[2].get<double>(), 0.3, 1e-12);
+  EXPECT_EQ(contour("bowl", R"("plane":[0,0,1,1])").fields["curves"].size(), 0u);
+}
+
+TEST(Contour_tasks, turn_with_the_surface_and_name_spans)
+{
+  // n_z of the saddle is 1, of the flipped one -1.
+  EXPECT_EQ(contour("saddle", R"("property":"normal_z","level":1)").fields["identically_zero"],
+            false);
+  EXPECT_EQ(contour("saddle", R"("property":"normal_z","level":-1)").fields["identically_zero"],
+            true);
+  const Task_result spans = contour("knots", R"("plane":[0,1,0,"-1/2"])");
+  ASSERT_EQ(spans.fields["curves"].size(), 2u);
+  EXPECT_EQ(spans.fields["curves"][0]["span"], 0);
+  EXPECT_EQ(spans.fields["curves"][1]["span"], 1);
+  EXPECT_NEAR(spans.fields["curves"][1]["parameters"][0][0].get<double>(), 1, 1e-12);
+}
+
+TEST(Contour_tasks, say_what_they_cannot_do)
+{
+  const Task_result cross = contour("saddle", R"("plane":[1,-1,0,0])");
+  EXPECT_EQ(cross.status, "ok");
+  const Task_result node = contour("saddle", R"("plane":[0,0,1,0])"); // u v = 0: two edges
+  EXPECT_EQ(node.fields["edges"].size(), 2u);
+  EXPECT_EQ(node.fields["edges"][0]["edge"], "u0");
+  EXPECT_EQ(contour("bowl", R"("property":"speed_supremum","level":1)").code, "not_algebraic");
+  EXPECT_EQ(contour("root", R"("property":"speed","level":1)").code, "not_algebraic");
+  EXPECT_EQ(contour("wave", R"("property":"speed","level":1)").code, "not_algebraic");
+  EXPECT_EQ(contour("ball", R"("property":"speed","level":1)").status, "error");
+  const auto message = [](const std::string& rest, const std::string& text) {
+    expect_message(R"({"task":"contour","surface":"bowl",)" + rest + "}", text);
+  };
+  message(R"("plane":[0,0,1])", "4 coefficients");
+  message(R"("property":"speed","plane":[0,0,1,0])", "property");
+  message(R"("property":"speed","at_most":1)", "at_most");
+}
+
+TEST(Trichotomy_tasks, give_areas_in_the_domain)
+{
+  const auto divide = [](const std::string& surface) {
+    return run(R"({"task":"trichotomy","surface":")" + surface + "\"}");
+  };
+  const Task_result bowl = divide("bowl");
+  ASSERT_EQ(bowl.status, "ok") << bowl.text;
+  EXPECT_EQ(bowl.fields["developable"], false);
+  EXPECT_EQ(bowl.fields["regular"], true);
+  EXPECT_EQ(bowl.fields["regions"]["concave"][0]["exact"], "1");
+  EXPECT_EQ(bowl.fields["regions"]["convex"][1]["exact"], "0");
+  // Turned by the file's flip; and the domain of the sphere has the area 3.
+  EXPECT_EQ(divide("saddle").fields["regions"]["saddle"][0]["exact"], "1");
+  const Report_json sphere = divide("sphere").fields["regions"];
+  const bool is_convex = sphere["convex"][0]["exact"] == "3";
+  EXPECT_EQ(sphere[is_convex ? "convex" : "concave"][0]["exact"], "3");
+  EXPECT_EQ(sphere[is_convex ? "concave" : "convex"][1]["exact"], "0");
+  // A generalised cylinder over two spans.
+  const Report_json knots = divide("knots").fields;
+  EXPECT_EQ(knots["developable"], true);
+  EXPECT_EQ(knots["regions"]["saddle"][1]["exact"], "0");
 }
 
 } // namespace
