@@ -13,6 +13,7 @@
 #include "random_rationals.h"
 
 #include <CGAL/Shape_interrogation/Bernstein/Bernstein_polynomial.h>
+#include <CGAL/Shape_interrogation/Bernstein/homogeneous_parameters.h>
 #include <CGAL/Shape_interrogation/Bernstein/internal/Scaled_polynomial.h>
 #include <CGAL/Shape_interrogation/Number_types/Quadratic_field.h>
 
@@ -129,7 +130,8 @@ TEST(Bernstein_polynomial, is_composed_with_polynomials)
   const auto t = Curve::coordinate(0);
   const std::array<Curve, 2> line{Curve(random.rational()) + t, t * t * random.rational()};
   const Curve along = p.at(line);
-  const Curve homogeneous = p.at_homogeneous<Curve>({t, t * t}, {Curve(2) - t, Curve(3)});
+  const Curve homogeneous =
+    value_homogeneous<Curve>(p, {t, t * t}, {Curve(2) - t, Curve(3)});
   for (int k = 0; k < 5; ++k)
   {
     const Q x = random.rational();
@@ -165,18 +167,18 @@ TEST(Bernstein_polynomial, products_packed_into_one_integer_are_those_by_rows)
         const auto slots_x = internal::slots(a, degree), slots_y = internal::slots(b, degree);
         std::vector<Z> rows(internal::size_of(degree), Z(0)), packed = rows, twice = rows;
         internal::multiply_by_rows(x, slots_x, y, slots_y, rows);
-        const std::size_t width = internal::slot_width(internal::longest(x), internal::longest(y),
+        const std::size_t width = internal::slot_bits(internal::longest(x), internal::longest(y),
                                                        std::min(x.size(), y.size()));
         internal::multiply_packed(x, slots_x, y, slots_y, width, packed);
         EXPECT_EQ(rows, packed);
-        internal::multiply_packed_twice(x, slots_x, y, slots_y, width + width % 2, twice);
+        internal::multiply_packed_twice(x, slots_x, y, slots_y, width, twice);
         EXPECT_EQ(rows, twice);
         // Squares.
         const Degree twice_a{2 * a[0], 2 * a[1]};
         const auto slots = internal::slots(a, twice_a);
         std::vector<Z> square(internal::size_of(twice_a), Z(0)), other = square;
         const std::size_t length = internal::longest(x);
-        const std::size_t even = (internal::slot_width(length, length, x.size()) + 1) / 2 * 2;
+        const std::size_t even = internal::slot_bits(length, length, x.size());
         internal::multiply_by_rows(x, slots, x, slots, square);
         internal::multiply_packed_twice(x, slots, x, slots, even, other);
         EXPECT_EQ(square, other);

@@ -263,7 +263,7 @@ TEST(Contours, Restriction_in_a_ring)
   EXPECT_TRUE((part - q.restricted(0, FT(1, 4), FT(3, 4)) * P(16)).is_zero());
   const auto line = fixed_homogeneous(p, 1, Integer(2), Integer(3)).cast<FT>();
   EXPECT_TRUE((line - q.fixed(1, FT(2, 5)) * Bernstein_polynomial_1<FT>(5)).is_zero());
-  const Integer value = value_homogeneous(p, {Integer(1), Integer(2)}, {Integer(2), Integer(3)});
+  const auto value = value_homogeneous<Integer>(p, {1, 2}, {2, 3});
   EXPECT_EQ(FT(value), FT(q({FT(1, 3), FT(2, 5)}) * 9 * 5));
 }
 

@@ -14,6 +14,10 @@
 
 #include <CGAL/Shape_interrogation/Bernstein/Bernstein_polynomial.h>
 
+#include <array>
+#include <cstddef>
+#include <vector>
+
 namespace CGAL {
 namespace Shape_interrogation {
 
@@ -21,13 +25,18 @@ namespace Shape_interrogation {
  * \ingroup PkgShapeInterrogationBernstein
  * \brief returns the value of `p` at the point with the coordinates \f$ x / (x + \bar x) \f$ times
  * \f$ \prod (x + \bar x)^m \f$, a polynomial in both.
+ *
+ * The coordinates are in a ring `T`, constructible from `NT`: with polynomials in their place this
+ * is the composition with a rational curve or map.
  */
-template <class NT, int d>
-NT value_homogeneous(const Bernstein_polynomial<NT, d>& p,
-                     const typename Bernstein_polynomial<NT, d>::Point& x,
-                     const typename Bernstein_polynomial<NT, d>::Point& complement)
+template <class T, class NT, int d>
+T value_homogeneous(const Bernstein_polynomial<NT, d>& p,
+                    const std::array<T, static_cast<std::size_t>(d)>& x,
+                    const std::array<T, static_cast<std::size_t>(d)>& complement)
 {
-  return internal::value_homogeneous(p.degree(), p.scaled_coefficients(), x, complement);
+  const std::vector<NT>& c = p.scaled_coefficients();
+  return internal::value_homogeneous(p.degree(), std::vector<T>(c.begin(), c.end()), x,
+                                     complement);
 }
 
 /*!

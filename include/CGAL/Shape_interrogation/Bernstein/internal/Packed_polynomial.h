@@ -22,27 +22,29 @@ namespace CGAL {
 namespace Shape_interrogation {
 namespace internal {
 
-// The value of a polynomial at 2^(GMP_NUMB_BITS * slot): a sign and its limbs.
+// The value of a polynomial at a power of two: a sign and its limbs.
 class Packed_polynomial
 {
 public:
-  // Coefficient k goes to the slot `slots[k]`; each must fit `width` limbs with a bit to spare.
-  // With a step of 2 only the slots with the parity of `first` count, and they move together.
+  // Coefficient k goes to the slot `slots[k]`; each must fit `bits` bits with one to spare. With a
+  // step of 2 only the slots with the parity of `first` count, and they move together.
   template <class Integer>
   Packed_polynomial(const std::vector<Integer>& coefficients, const std::vector<int>& slots,
-                    std::size_t width, int first = 0, int step = 1)
+                    std::size_t bits, int first = 0, int step = 1)
   {
-    const std::size_t size = (slots.back() / step + std::size_t(1)) * width;
-    std::vector<mp_limb_t> negative(size, 0);
+    const std::size_t size = limbs_for((slots.back() / step + std::size_t(1)) * bits) + 1;
+    std::vector<mp_limb_t> negative(size, 0), shifted(limbs_for(bits) + 1);
     m_limbs.assign(size, 0);
     for (std::size_t k = 0; k < coefficients.size(); ++k)
     {
-      if (slots[k] % step != first)
-        continue;
       mpz_srcptr c = gmp_of(coefficients[k]);
-      mp_limb_t* to =
-        (mpz_sgn(c) < 0 ? negative : m_limbs).data() + slots[k] / step * width;
-      std::copy_n(mpz_limbs_read(c), mpz_size(c), to);
+      if (slots[k] % step != first || mpz_sgn(c) == 0)
+        continue;
+      const std::size_t at = slots[k] / step * bits;
+      const std::size_t length = shift_up(shifted, c, at % GMP_NUMB_BITS);
+      mp_limb_t* to = (mpz_sgn(c) < 0 ? negative : m_limbs).data() + at / GMP_NUMB_BITS;
+      for (std::size_t i = 0; i < length; ++i)
+        to[i] |= shifted[i]; // slots meet in a limb, not in a bit
     }
     subtract(negative);
   }
@@ -77,24 +79,58 @@ public:
 
   // Reads the coefficients back. What is below a slot borrows from it where it is negative.
   template <class Integer>
-  void unpack(std::vector<Integer>& coefficients, std::size_t width)
+  void unpack(std::vector<Integer>& coefficients, std::size_t bits)
   {
-    m_limbs.resize((coefficients.size() + 1) * width, 0);
+    const std::size_t width = limbs_for(bits), top = bits - (width - 1) * GMP_NUMB_BITS;
+    const mp_limb_t mask = GMP_NUMB_MASK >> (GMP_NUMB_BITS - top);
+    m_limbs.resize(limbs_for(coefficients.size() * bits) + width + 2, 0);
+    std::vector<mp_limb_t> slot(width + 1);
     mp_limb_t carry = 0;
     for (std::size_t k = 0; k < coefficients.size(); ++k)
     {
-      mp_limb_t* slot = m_limbs.data() + k * width;
+      const std::size_t at = k * bits;
+      shift_down(slot, m_limbs.data() + at / GMP_NUMB_BITS, at % GMP_NUMB_BITS);
+      slot[width - 1] &= mask;
       // A carry out of the slot means that it was full and is now zero, one above it.
-      const mp_limb_t overflow = mpn_add_1(slot, slot, width, carry);
-      const bool is_below = slot[width - 1] >> (GMP_NUMB_BITS - 1);
+      mp_limb_t overflow = mpn_add_1(slot.data(), slot.data(), width, carry);
+      overflow |= slot[width - 1] & ~mask ? 1 : 0;
+      slot[width - 1] &= mask;
+      const bool is_below = slot[width - 1] >> (top - 1);
       if (is_below)
-        mpn_neg(slot, slot, width);
+        mpn_neg(slot.data(), slot.data(), width);
+      slot[width - 1] &= mask;
       carry = overflow | (is_below ? 1 : 0);
-      set(gmp_of(coefficients[k]), slot, width, is_below != m_is_negative);
+      set(gmp_of(coefficients[k]), slot.data(), width, is_below != m_is_negative);
     }
   }
 
 private:
+  static std::size_t limbs_for(std::size_t bits)
+  {
+    return (bits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS;
+  }
+
+  // Writes the limbs of z times 2^shift and returns their number. \pre z is not 0
+  static std::size_t shift_up(std::vector<mp_limb_t>& to, mpz_srcptr z, unsigned shift)
+  {
+    const std::size_t size = mpz_size(z);
+    if (shift == 0)
+    {
+      std::copy_n(mpz_limbs_read(z), size, to.begin());
+      return size;
+    }
+    to[size] = mpn_lshift(to.data(), mpz_limbs_read(z), size, shift);
+    return size + (to[size] != 0 ? 1 : 0);
+  }
+
+  static void shift_down(std::vector<mp_limb_t>& to, const mp_limb_t* from, unsigned shift)
+  {
+    if (shift == 0)
+      std::copy_n(from, to.size(), to.begin());
+    else
+      mpn_rshift(to.data(), from, to.size(), shift);
+  }
+
   void subtract(const std::vector<mp_limb_t>& negative)
   {
     m_is_negative = mpn_cmp(m_limbs.data(), negative.data(), m_limbs.size()) < 0;

@@ -92,41 +92,41 @@ std::size_t longest(const std::vector<Integer>& numbers)
   return bits;
 }
 
-// The limbs that hold every coefficient of the product and its sign.
-inline std::size_t slot_width(std::size_t bits_a, std::size_t bits_b, std::size_t terms)
+// An even number of bits that holds every coefficient of the product and its sign.
+inline std::size_t slot_bits(std::size_t bits_a, std::size_t bits_b, std::size_t terms)
 {
   std::size_t bits = bits_a + bits_b + 1;
   for (; terms > 0; terms /= 2)
     ++bits;
-  return (bits + GMP_NUMB_BITS - 1) / GMP_NUMB_BITS;
+  return bits + bits % 2;
 }
 
 template <class Integer>
 void multiply_packed(const std::vector<Integer>& a, const std::vector<int>& slots_a,
                      const std::vector<Integer>& b, const std::vector<int>& slots_b,
-                     std::size_t width, std::vector<Integer>& product)
+                     std::size_t bits, std::vector<Integer>& product)
 {
-  const Packed_polynomial x(a, slots_a, width);
+  const Packed_polynomial x(a, slots_a, bits);
   if (&a == &b)
-    Packed_polynomial(x, x).unpack(product, width);
+    Packed_polynomial(x, x).unpack(product, bits);
   else
-    Packed_polynomial(x, Packed_polynomial(b, slots_b, width)).unpack(product, width);
+    Packed_polynomial(x, Packed_polynomial(b, slots_b, bits)).unpack(product, bits);
 }
 
-// The values at 2^(GMP_NUMB_BITS * width / 2) and at the negative of it, in half the length: two
+// The values at 2^(bits / 2) and at the negative of it, in half the length: two
 // products of half the length, from which the even and the odd coefficients are read (D. Harvey,
 // Faster polynomial multiplication via multipoint Kronecker substitution).
 template <class Integer>
 void multiply_packed_twice(const std::vector<Integer>& a, const std::vector<int>& slots_a,
                            const std::vector<Integer>& b, const std::vector<int>& slots_b,
-                           std::size_t width, std::vector<Integer>& product)
+                           std::size_t bits, std::vector<Integer>& product)
 {
-  const mp_bitcnt_t half = GMP_NUMB_BITS * (width / 2);
+  const mp_bitcnt_t half = bits / 2;
   const auto evaluate = [&](const auto& c, const std::vector<int>& slots, Integer& at_plus,
                             Integer& at_minus) {
     Integer even, odd;
-    Packed_polynomial(c, slots, width, 0, 2).get(gmp_of(even));
-    Packed_polynomial(c, slots, width, 1, 2).get(gmp_of(odd));
+    Packed_polynomial(c, slots, bits, 0, 2).get(gmp_of(even));
+    Packed_polynomial(c, slots, bits, 1, 2).get(gmp_of(odd));
     mpz_mul_2exp(gmp_of(odd), gmp_of(odd), half);
     mpz_add(gmp_of(at_plus), gmp_of(even), gmp_of(odd));
     mpz_sub(gmp_of(at_minus), gmp_of(even), gmp_of(odd));
@@ -143,8 +143,8 @@ void multiply_packed_twice(const std::vector<Integer>& a, const std::vector<int>
   mpz_sub(gmp_of(b_minus), gmp_of(a_plus), gmp_of(a_minus));
   mpz_tdiv_q_2exp(gmp_of(b_plus), gmp_of(b_plus), 1);
   mpz_tdiv_q_2exp(gmp_of(b_minus), gmp_of(b_minus), half + 1);
-  Packed_polynomial(gmp_of(std::as_const(b_plus))).unpack(parts[0], width);
-  Packed_polynomial(gmp_of(std::as_const(b_minus))).unpack(parts[1], width);
+  Packed_polynomial(gmp_of(std::as_const(b_plus))).unpack(parts[0], bits);
+  Packed_polynomial(gmp_of(std::as_const(b_minus))).unpack(parts[1], bits);
   for (std::size_t k = 0; k < product.size(); ++k)
     mpz_swap(gmp_of(product[k]), gmp_of(parts[k % 2][k / 2]));
 }
@@ -210,16 +210,14 @@ std::vector<NT> multiply_arrays(const std::array<int, d>& degree_a, const std::v
     const std::vector<int> slots_a = slots(degree_a, degree), slots_b = slots(degree_b, degree);
     if constexpr (Has_gmp<NT>::value)
     {
-      const std::size_t width = slot_width(longest(a), longest(b), std::min(a.size(), b.size()));
-      if (a.size() * b.size() > 100 * width) // measured: below, packing does not pay
+      const std::size_t bits = slot_bits(longest(a), longest(b), std::min(a.size(), b.size()));
+      if (a.size() * b.size() > 2 * bits) // measured: below, packing does not pay
       {
-        // Measured: two products of half the length take four fifths of the time, but a slot that
-        // has to grow to an even width costs more where it is narrow.
-        const std::size_t limbs = width * (std::max)(slots_a.back(), slots_b.back());
-        if (limbs > 600 && (width % 2 == 0 || width > 8))
-          multiply_packed_twice(a, slots_a, b, slots_b, width + width % 2, product);
+        // Measured: two products of half the length take four fifths of the time.
+        if (bits * (std::max)(slots_a.back(), slots_b.back()) > 40000)
+          multiply_packed_twice(a, slots_a, b, slots_b, bits, product);
         else
-          multiply_packed(a, slots_a, b, slots_b, width, product);
+          multiply_packed(a, slots_a, b, slots_b, bits, product);
         return product;
       }
     }

@@ -86,7 +86,7 @@ public:
     const std::array<Exact_integer, 2> at{x.numerators[0], x.numerators[1]};
     const std::array<Exact_integer, 2> rest{Exact_integer(x.denominator - at[0]),
                                             Exact_integer(x.denominator - at[1])};
-    return CGAL::sign(value_homogeneous(m_f, at, rest));
+    return CGAL::sign(Shape_interrogation::value_homogeneous<Exact_integer>(m_f, at, rest));
   }
 
   // The polynomial, up to a positive factor, on the line where the variable `axis` has the value
