@@ -128,11 +128,15 @@ public:
     for (const si::Unresolved_box_2& box : contour.unresolved)
       store(m_unresolved, box_of(box, to_parameters));
     m_is_everything = m_is_everything && contour.is_everything;
+    if (contour.is_everything && m_has_spans)
+      m_everywhere.push_back(span);
   }
 
   void store(Report_json& fields) const
   {
     fields["identically_zero"] = m_is_everything;
+    if (m_has_spans)
+      fields["identically_zero_spans"] = m_everywhere;
     fields["curves"] = m_curves;
     fields["edges"] = m_edges;
     fields["isolated_points"] = m_isolated;
@@ -159,6 +163,7 @@ private:
   bool m_has_spans, m_is_everything = true;
   std::size_t m_closed = 0;
   Report_json m_curves = Report_json::array(), m_edges = Report_json::array();
+  Report_json m_everywhere = Report_json::array();
   Report_json m_isolated = Report_json::array(), m_unresolved = Report_json::array();
 };
 
@@ -207,11 +212,11 @@ struct Trichotomy_sums
   {
     for (int k = 0; k < 4; ++k)
     {
-      areas[k].lower += t.areas[k].lower;
-      areas[k].upper += t.areas[k].upper;
+      // Turned over, convex is concave.
+      si::Area_range& sum = areas[flip && k < 2 ? 1 - k : k];
+      sum.lower += t.areas[k].lower;
+      sum.upper += t.areas[k].upper;
     }
-    if (flip)
-      std::swap(areas[0], areas[1]);
     is_developable = is_developable && t.is_developable;
     const si::Regularity& r = t.regularity;
     if (r.verdict == si::Verdict::NO || regular == si::Verdict::YES)
@@ -222,6 +227,10 @@ struct Trichotomy_sums
       places.push_back({{"parameters", to_parameters(p)}});
     for (const auto& box : r.boxes)
       places.push_back({{"box", box_of(box, to_parameters)["box"]}});
+    for (const si::Contour_curve_2& curve : r.poles.curves)
+      places.push_back({{"poles", points_of(curve.points, to_parameters)}});
+    for (const auto& edge : edges_of(r.poles.edges, false))
+      places.push_back({{"pole", edge["edge"]}});
     for (Report_json& place : places)
     {
       if (has_spans)

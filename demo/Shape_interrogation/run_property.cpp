@@ -174,8 +174,11 @@ void fill_whole(const std::vector<si::Property_surface_piece<NT>>& pieces,
     is_zero = is_zero && piece.surface.is_identically_zero();
     has_value = has_value && !piece.surface.denominator().is_zero();
   }
+  if (!has_value)
+    return refuse(si::Refusal(si::Refusal_code::IRREGULAR_PARAMETRISATION,
+                              "the property has no value anywhere: its denominator is zero"),
+                  result);
   result.fields["identically_zero"] = is_zero;
-  if (has_value)
   {
     const auto range = si::bounds(pieces, si::Bound_limits{1e-9, 200});
     const Scalar low = scalar_of(range.infimum, false), high = scalar_of(range.supremum, true);

@@ -76,6 +76,26 @@ TEST(Patch_contours, Slopes_and_isophotes_are_circles)
     property_contour(piece(paraboloid()), Property::ISOPHOTE, FT(0), inputs)->curves.empty());
 }
 
+// The light comes from the other side: neither everything nor an edge counts.
+TEST(Patch_contours, Isophotes_where_the_cosine_is_one)
+{
+  Property_inputs<FT> inputs;
+  inputs.light = {FT(0), FT(0), FT(1)};
+  const Patch plane(1, 1,
+                    std::vector<Coordinates<FT, 3>>{{0, 0, 0}, {0, 1, 0}, {1, 0, 0}, {1, 1, 0}});
+  const Patch wall(2, 1,
+                   std::vector<Coordinates<FT, 3>>{
+                     {0, 0, 0}, {0, 2, 0}, {1, 0, 0}, {1, 2, 0}, {2, 0, -1}, {2, 2, -1}});
+  for (int level : {1, -1})
+  {
+    inputs.level = FT(level);
+    const auto all = property_contour(piece(plane), Property::ISOPHOTE, FT(0), inputs);
+    EXPECT_EQ(all->is_everything, level == 1);
+    const auto edge = property_contour(piece(wall), Property::ISOPHOTE, FT(0), inputs);
+    EXPECT_EQ(edge->edges.size(), level == 1 ? 1u : 0u);
+  }
+}
+
 TEST(Patch_contours, Silhouettes)
 {
   Property_inputs<FT> inputs;

@@ -40,6 +40,10 @@ const char* const surfaces = R"json({
   "knots": { "kind": "nurbs", "degree": [2, 1], "knots": [[0,0,0,1,2,2,2], [0,0,1,1]],
     "control_points": [[[0,0,0], [0,1,0]], [[1,0,0], [1,1,0]], [[2,0,1], [2,1,1]],
                        [[3,0,0], [3,1,0]]] },
+  "turned_gutter": { "kind": "nurbs", "flip": true, "degree": [2, 1],
+    "knots": [[0,0,0,1,2,2,2], [0,0,1,1]],
+    "control_points": [[[0,0,0], [0,1,0]], [[1,0,0], [1,1,0]], [[2,0,1], [2,1,1]],
+                       [[3,0,3], [3,1,3]]] },
   "ball": { "kind": "implicit", "f": "x^2+y^2+z^2-4" } })json";
 
 std::string model_with(const std::string& task)
@@ -279,8 +283,10 @@ TEST(Trichotomy_tasks, give_areas_in_the_domain)
   const bool is_convex = sphere["convex"][0]["exact"] == "3";
   EXPECT_EQ(sphere[is_convex ? "convex" : "concave"][0]["exact"], "3");
   EXPECT_EQ(sphere[is_convex ? "concave" : "convex"][1]["exact"], "0");
-  // A generalised cylinder over two spans.
-  const Report_json knots = divide("knots").fields;
+  // Generalised cylinders over two spans; the second one opens upward and is turned over.
+  const Report_json knots = divide("knots").fields, turned = divide("turned_gutter").fields;
+  EXPECT_EQ(turned["regions"]["convex"][0]["exact"], "2");
+  EXPECT_EQ(turned["regions"]["concave"][1]["exact"], "0");
   EXPECT_EQ(knots["developable"], true);
   EXPECT_EQ(knots["regions"]["saddle"][1]["exact"], "0");
 }

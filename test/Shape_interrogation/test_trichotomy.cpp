@@ -127,6 +127,17 @@ TEST(Trichotomy, Collapsed_edges_and_singular_points)
   ASSERT_EQ(corner->regularity.points.size(), 1u);
   EXPECT_EQ(corner->regularity.points.front(), (std::array<double, 2>{0, 0}));
 
+  // A line of poles across the patch: (u, v, v^2) / (2 u - 1), with a normal that is never zero.
+  std::vector<Coordinates<FT, 4>> homogeneous;
+  for (int i = 0; i < 2; ++i)
+    for (int j = 0; j < 3; ++j)
+      homogeneous.push_back({FT(1), FT(j, 2), FT(j == 2 ? 1 : 0), FT(2 * i - 1)});
+  const auto poles = trichotomy_of_patch(Patch::from_homogeneous(1, 2, homogeneous));
+  ASSERT_TRUE(poles);
+  EXPECT_EQ(poles->regularity.verdict, Verdict::NO);
+  EXPECT_EQ(poles->regularity.poles.curves.size(), 1u);
+  EXPECT_TRUE(poles->regularity.points.empty());
+
   // A curve in place of a surface.
   const auto curve = trichotomy_of_patch(
     Patch(1, 1, std::vector<Coordinates<FT, 3>>{{0, 0, 0}, {1, 1, 1}, {1, 1, 1}, {2, 2, 2}}));

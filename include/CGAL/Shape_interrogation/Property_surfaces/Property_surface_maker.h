@@ -84,9 +84,12 @@ public:
     return internal::result_polynomial(internal::property_sign(m_forms, property, inputs));
   }
 
-  //! returns \f$ W^6 |S_u \times S_v|^2 \f$, which vanishes where the patch is not regular or has a
-  //! pole, and nowhere else.
+  //! returns \f$ W^6 |S_u \times S_v|^2 \f$, which vanishes where the patch is not regular, and at
+  //! some poles.
   Polynomial normal_squared() { return internal::result_polynomial(m_forms.normal_squared()); }
+
+  //! returns \f$ W \f$, the constant 1 if the patch has no weights.
+  Polynomial weight() { return internal::result_polynomial(m_forms.times_weight(R(1), 1)); }
 
   //! returns the components of \f$ W^3 S_u \times S_v \f$.
   std::array<Polynomial, 3> normal()

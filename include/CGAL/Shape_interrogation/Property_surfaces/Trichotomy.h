@@ -63,6 +63,7 @@ struct Regularity
   std::vector<Contour_edge_2> edges;        //!< edges on which it is not, such as collapsed ones
   std::vector<std::array<double, 2>> points; //!< further points at which it is not, exactly
   std::vector<Unresolved_box_2> boxes;      //!< small boxes in which it perhaps is not
+  Contour_2 poles;                          //!< where the common weight vanishes
 };
 
 /*!

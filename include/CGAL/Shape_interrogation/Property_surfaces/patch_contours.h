@@ -26,7 +26,7 @@ namespace Shape_interrogation {
 
 namespace internal {
 
-// Keeps the curves on which the polynomial has the given sign. \pre it has no zero on them
+// Keeps the parts on which the polynomial has the given sign. \pre it has no zero on them
 inline void keep_sign(Contour_2& contour, const Bernstein_polynomial_2<Exact_rational>& f,
                       CGAL::Sign sign)
 {
@@ -39,9 +39,40 @@ inline void keep_sign(Contour_2& contour, const Bernstein_polynomial_2<Exact_rat
                                         return has_other_sign(c.points[c.points.size() / 2]);
                                       }),
                        contour.curves.end());
+  if (contour.is_everything)
+    contour.is_everything = !has_other_sign({0.5, 0.5});
+  contour.edges.erase(std::remove_if(contour.edges.begin(), contour.edges.end(),
+                                     [&](const Contour_edge_2& e) {
+                                       std::array<double, 2> middle{0.5, 0.5};
+                                       middle[e.axis] = e.end;
+                                       return has_other_sign(middle);
+                                     }),
+                      contour.edges.end());
   contour.isolated_points.erase(std::remove_if(contour.isolated_points.begin(),
                                                contour.isolated_points.end(), has_other_sign),
                                 contour.isolated_points.end());
+}
+
+// The zero set of p / q without edges on which both vanish.
+template <class Progress>
+Result<Contour_2> contour_of_quotient(const Bernstein_polynomial_2<Exact_rational>& p,
+                                      const Bernstein_polynomial_2<Exact_rational>& q,
+                                      const Contour_options& options, Progress& progress)
+{
+  if (q.is_zero())
+    return Refusal(Refusal_code::IRREGULAR_PARAMETRISATION,
+                   "the denominator of the property vanishes everywhere");
+  std::vector<Integer_polynomial_2> parts{in_integers(p), in_integers(q)};
+  std::vector<Contour_edge_2> common;
+  divide_by_common_edges(parts, common);
+  return contour(parts.front(), options, progress);
+}
+
+// Whether the zeros of the property are those of its sign, without squares and without the poles.
+inline bool has_sign_of_lower_degree(Property property)
+{
+  return property == Property::GAUSSIAN || property == Property::MEAN_SQUARED ||
+         property == Property::CURVATURE_U || property == Property::CURVATURE_V;
 }
 
 } // namespace internal
@@ -67,19 +98,15 @@ Result<Contour_2> property_contour(const Surface_piece_3<Exact_rational>& piece,
 {
   using Polynomial = Bernstein_polynomial_2<Exact_rational>;
   Property_surface_maker<Exact_rational> properties(piece);
+  if (CGAL::is_zero(level) && internal::has_sign_of_lower_degree(property))
+    return internal::contour_of_quotient(properties.sign(property, inputs),
+                                         properties.normal_squared(), options, progress);
   const Property_surface<Exact_rational> p = properties(property, inputs);
   if (p.radicand())
     return Refusal(Refusal_code::NOT_ALGEBRAIC,
                    std::string(to_string(property)) + " is a root and has no contours");
-  if (p.denominator().is_zero())
-    return Refusal(Refusal_code::IRREGULAR_PARAMETRISATION,
-                   "the denominator of the property vanishes everywhere");
-  std::vector<internal::Integer_polynomial_2> parts{
-    internal::in_integers(p.numerator() - Polynomial(level) * p.denominator()),
-    internal::in_integers(p.denominator())};
-  std::vector<Contour_edge_2> common;
-  internal::divide_by_common_edges(parts, common);
-  const Result<Contour_2> zeros = contour(parts.front(), options, progress);
+  const Result<Contour_2> zeros = internal::contour_of_quotient(
+    p.numerator() - Polynomial(level) * p.denominator(), p.denominator(), options, progress);
   if (!zeros || property != Property::ISOPHOTE || CGAL::is_zero(inputs.level))
     return zeros;
   Contour_2 part = *zeros;

@@ -11,6 +11,7 @@
 
 // Where a patch is regular: the three components of its normal have no common zero.
 
+#include <CGAL/Shape_interrogation/Contours/contour.h>
 #include <CGAL/Shape_interrogation/Contours/internal/Exact_function.h>
 #include <CGAL/Shape_interrogation/Contours/internal/common_edges.h>
 #include <CGAL/Shape_interrogation/Property_surfaces/Property_surface_maker.h>
@@ -130,23 +131,35 @@ private:
  * exactly, points exactly where they are corners of the cells into which the square is halved, else
  * in boxes of an area of about \f$ 10^{-12} \f$.
  *
+ * Poles, where the common weight \f$ W \f$ vanishes, are a contour of their own: the polynomial
+ * normal \f$ W^3 S_u \times S_v \f$ need not vanish there. Beside a point that is found, a box of
+ * that size is not searched any further.
+ *
  * The verdict is `NO` where a place is proved, `UNDECIDED` where there are boxes only.
  * \pre the normal does not vanish identically
  */
 inline Regularity regularity(const std::array<Bernstein_polynomial_2<Exact_rational>, 3>& normal,
+                             const Bernstein_polynomial_2<Exact_rational>& weight,
                              std::size_t max_cells = 20000)
 {
   Regularity result;
+  Contour_options options;
+  options.max_cells = max_cells;
+  result.poles = *contour(weight, options); // it is refused only when it is stopped
   std::vector<internal::Integer_polynomial_2> components;
   for (const auto& component : normal)
     components.push_back(internal::in_integers(component));
   internal::divide_by_common_edges(components, result.edges);
   internal::Common_zeros zeros(components);
   zeros(max_cells, result);
-  if (!result.edges.empty() || !result.points.empty())
+  const Contour_2& poles = result.poles;
+  if (!result.edges.empty() || !result.points.empty() || poles.is_everything ||
+      !poles.curves.empty() || !poles.edges.empty() || !poles.isolated_points.empty())
     result.verdict = Verdict::NO;
+  else if (!result.boxes.empty() || !poles.unresolved.empty())
+    result.verdict = Verdict::UNDECIDED;
   else
-    result.verdict = result.boxes.empty() ? Verdict::YES : Verdict::UNDECIDED;
+    result.verdict = Verdict::YES;
   return result;
 }
 

@@ -142,7 +142,7 @@ Result<Trichotomy> trichotomy_of_patch(const Surface_piece_3<Exact_rational>& pi
   const Exact_rational whole =
     (piece.u[1] - piece.u[0]) * (piece.v[1] - piece.v[0]);
   Trichotomy parts;
-  parts.regularity = regularity(normal);
+  parts.regularity = regularity(normal, properties.weight());
   parts.is_developable = gauss.is_zero();
   if (parts.is_developable && mean.is_zero())
   {
