@@ -71,6 +71,23 @@ si::Result<std::vector<si::Surface_piece_3<NT>>> patches_of(const Surface_model&
                        "properties of a whole surface with functions need rational numbers");
 }
 
+// Properties have up to 12 times the degree.
+template <class NT>
+std::optional<si::Refusal> refuse_degrees(const std::vector<si::Surface_piece_3<NT>>& patches)
+{
+  constexpr int highest_degree = 32, highest_product = 256;
+  for (const si::Surface_piece_3<NT>& piece : patches)
+  {
+    const int m = piece.patch.degree_u(), n = piece.patch.degree_v();
+    if (m > highest_degree || n > highest_degree || m * n > highest_product)
+      return si::Refusal(si::Refusal_code::LIMIT_EXCEEDED,
+                         "the degrees are " + std::to_string(m) + " and " + std::to_string(n) +
+                         ": for properties of the whole surface each may be 32 at most, and"
+                         " their product 256");
+  }
+  return std::nullopt;
+}
+
 template <class NT>
 si::Result<std::vector<si::Property_surface_piece<NT>>>
 property_pieces(const Surface_model& surface, const Property_task& task)
@@ -80,16 +97,8 @@ property_pieces(const Surface_model& surface, const Property_task& task)
     return patches.refusal();
   const si::Property_inputs<NT> in = inputs_of<NT>(task);
   std::vector<si::Property_surface_piece<NT>> pieces;
-  constexpr int highest_degree = 32, highest_product = 256; // properties have 12 times the degree
-  for (const si::Surface_piece_3<NT>& piece : *patches)
-  {
-    const int m = piece.patch.degree_u(), n = piece.patch.degree_v();
-    if (m > highest_degree || n > highest_degree || m * n > highest_product)
-      return si::Refusal(si::Refusal_code::LIMIT_EXCEEDED,
-                         "the degrees are " + std::to_string(m) + " and " + std::to_string(n) +
-                         ": for properties of the whole surface each may be 32 at most, and"
-                         " their product 256");
-  }
+  if (auto refusal = refuse_degrees(*patches))
+    return *refusal;
   for (const si::Surface_piece_3<NT>& piece : *patches)
   {
     const auto p = si::Property_surface_maker<NT>(piece)(task.property, in);

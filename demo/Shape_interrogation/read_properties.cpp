@@ -12,6 +12,7 @@
 
 #include "read_numbers.h"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -155,6 +156,11 @@ Task_data read_contour(const Json_place& place, const Model& model)
   {
     allow_task_fields(place, {"surface", "plane"});
     task.plane = read_numbers(*plane, 4, "the 4 coefficients of a plane");
+    const auto is_zero = [](const Number& x) {
+      return x.is_constant() && CGAL::is_zero(x.constant());
+    };
+    if (std::all_of(task.plane->begin(), task.plane->begin() + 3, is_zero))
+      plane->fail("the normal of the plane is zero");
   }
   else
   {

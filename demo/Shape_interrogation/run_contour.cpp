@@ -30,7 +30,11 @@ si::Result<Pieces> rational_patches(const Surface_model& surface)
 {
   try
   {
-    return patches_of<Rational>(surface);
+    const auto patches = patches_of<Rational>(surface);
+    if (patches)
+      if (auto refusal = refuse_degrees(*patches))
+        return *refusal;
+    return patches;
   }
   catch (const si::Not_algebraic_error&)
   {

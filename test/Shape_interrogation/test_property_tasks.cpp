@@ -262,6 +262,7 @@ TEST(Contour_tasks, say_what_they_cannot_do)
     expect_message(R"({"task":"contour","surface":"bowl",)" + rest + "}", text);
   };
   message(R"("plane":[0,0,1])", "4 coefficients");
+  message(R"("plane":[0,0,0,1])", "is zero");
   message(R"("property":"speed","plane":[0,0,1,0])", "property");
   message(R"("property":"speed","at_most":1)", "at_most");
 }

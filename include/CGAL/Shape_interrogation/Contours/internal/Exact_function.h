@@ -133,8 +133,10 @@ private:
       b[i] = std::ldexp(b[i], static_cast<int>((std::max)(exponents[i] - greatest, -2000L)));
       greatest_value = (std::max)(greatest_value, std::fabs(b[i]));
     }
-    // One rounding of the number, two more of scales beyond 2^53 and the quotient.
-    return Cell_polynomial(part.degree(), std::move(b), 8 * rounding_unit * greatest_value);
+    // The number is cut off, quotient and product are rounded, and sums in scales beyond 2^53.
+    const int roundings = 8 + part.degree()[0] + part.degree()[1];
+    return Cell_polynomial(part.degree(), std::move(b),
+                           roundings * rounding_unit * greatest_value);
   }
 
   Integer_polynomial_2 m_f;
